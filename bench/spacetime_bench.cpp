@@ -7,7 +7,7 @@
 #include "bench.hpp"
 #include "families.hpp"
 #include "motion/pieces.hpp"
-#include "pair/pair_plan.hpp"
+#include "pair/body_pair.hpp"
 #include "relative/make_segments.hpp"
 #include "relative/motion_segment.hpp"
 #include "spacetime/first_contact.hpp"
@@ -30,16 +30,16 @@ std::string fault(const Case& expected, bool contact, double lo, double hi) {
 /// A case in the engine's terms.
 struct Certified {
   const Case& wanted;
-  PairPlan plan;
+  BodyPair bodies;
   PairGeometry geometry;
   MotionSegments segments;
   SpacetimeResult result;
 
   explicit Certified(const Case& c)
       : wanted(c),
-        plan(plan_pair(c.scene)),
-        geometry(displaced_pair(plan, Offset::inward)),
-        segments(segments_of(plan, c.scene.start, c.scene.end)) {}
+        bodies(pair_of(c.scene)),
+        geometry(displaced_pair(bodies, Offset::inward)),
+        segments(segments_of(bodies, c.scene.start, c.scene.end)) {}
   double seconds() {
     const Stopwatch watch;
     const spacetime::Hierarchy p = spacetime::hierarchy_of_p(geometry), q = spacetime::hierarchy_of_q(geometry);

@@ -31,9 +31,9 @@ void report(benchmark::State& state, std::size_t vertices, double seconds, std::
 /// build_tiling on a placement that is there already.
 void tiling(benchmark::State& state, std::size_t vertices) {
   const Scene scene = bay(vertices);
-  const PairPlan plan = plan_pair(scene);
-  const PairGeometry geometry = displaced_pair(plan, Offset::inward);
-  const MotionSegments segments = segments_of(plan, scene.start, scene.end);
+  const BodyPair bodies = pair_of(scene);
+  const PairGeometry geometry = displaced_pair(bodies, Offset::inward);
+  const MotionSegments segments = segments_of(bodies, scene.start, scene.end);
   const Placement placement(geometry, segments.front(), scene.start);
   double seconds = 0;
   std::size_t held = 0, peak = 0;

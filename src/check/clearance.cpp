@@ -31,26 +31,26 @@ struct TouchUndecided {
 class ClearanceSearch {
  public:
   ClearanceSearch(const Scene& scene, const ClearanceOptions& options)
-      : options_(options), plan_(scene), boxes_(plan_), best_(INFINITY) {
+      : options_(options), instance_(scene), boxes_(instance_), best_(INFINITY) {
     // A little less than the tolerance; the rest is for rounding.
-    tolerance_ = {options.relative * 0.99, 0.99e-12 * plan_.largest()};
+    tolerance_ = {options.relative * 0.99, 0.99e-12 * instance_.largest()};
   }
 
   /// The coverage as if engines had examined every pair that the query includes.
-  Coverage all_tested() const { return plan_.coverage(plan_.coverage(0).apart); }
+  Coverage all_tested() const { return instance_.coverage(instance_.coverage(0).apart); }
 
   Clearance run() {
-    answer_.coverage = plan_.coverage(0);
+    answer_.coverage = instance_.coverage(0);
     if (answer_.coverage.is_empty()) {
       answer_.outcome = Outcome::untested;
       answer_.reason = why_untested(answer_.coverage);
       return std::move(answer_);
     }
     search_all();
-    answer_.coverage = plan_.coverage(searched_.size());
+    answer_.coverage = instance_.coverage(searched_.size());
     if (answer_.nearest) {
       answer_.outcome = answer_.nearest->hi > 0 ? Outcome::free : Outcome::contact;
-      answer_.nearest->lo = std::min(answer_.nearest->lo, std::ldexp(certain_, -plan_.exponent()) * (1 - 0x1p-50));
+      answer_.nearest->lo = std::min(answer_.nearest->lo, std::ldexp(certain_, -instance_.exponent()) * (1 - 0x1p-50));
       if (is_wide(*answer_.nearest)) answer_.wide = why_;
     }
     std::sort(answer_.pairs.begin(), answer_.pairs.end(),
@@ -65,7 +65,8 @@ class ClearanceSearch {
   };
 
   bool is_wide(const NearestPoints& found) const {
-    return found.hi - found.lo > options_.relative * found.hi + 1e-12 * std::ldexp(plan_.largest(), -plan_.exponent());
+    return found.hi - found.lo >
+           options_.relative * found.hi + 1e-12 * std::ldexp(instance_.largest(), -instance_.exponent());
   }
 
   /// Searches pairs in the order of the distance of their boxes, in rounds of increasing reach, until no other pair can
@@ -81,7 +82,7 @@ class ClearanceSearch {
       }
       if (reach >= tolerance_.least(best_)) return;
       // Without any distance so far: at least the size of a body, doubled each time.
-      reach = best_ < INFINITY ? best_ : std::max(2 * reach, 0x1p-6 * plan_.largest());
+      reach = best_ < INFINITY ? best_ : std::max(2 * reach, 0x1p-6 * instance_.largest());
       if (!(reach < 64)) reach = INFINITY;
     }
   }
@@ -99,7 +100,7 @@ class ClearanceSearch {
   }
 
   void search(const BoxedPair& pair) {
-    const PairInstance search(plan_, pair.a, pair.b, Offset::outward);
+    const PairInstance search(instance_, pair.a, pair.b, Offset::outward);
     NearestPoints found;
     found.pair = {pair.a, pair.b};
     if (!touching(search, found)) {
@@ -108,7 +109,7 @@ class ClearanceSearch {
       const double before = nearest.distance;
       spacetime::find_nearest(search.geometry, search.trees(), search.segments(), tolerance_, nearest);
       const std::string why = spacetime::resolve_nearest(search.geometry, search.trees(), search.segments(),
-                                                         {plan_.start(), plan_.end()}, tolerance_, nearest);
+                                                         {instance_.start(), instance_.end()}, tolerance_, nearest);
       certain_ = std::min(certain_, nearest.unresolved);
       if (!why.empty()) why_ = why;
       if (!options_.all_pairs && !(nearest.distance < before)) return;
@@ -117,14 +118,14 @@ class ClearanceSearch {
     if (options_.all_pairs) answer_.pairs.push_back(found);
     if (answer_.nearest && !(found.hi < answer_.nearest->hi)) return;
     answer_.nearest = found;
-    best_ = std::ldexp(found.hi, plan_.exponent());
+    best_ = std::ldexp(found.hi, instance_.exponent());
   }
 
   /// Bodies that touch have no distance.
   bool touching(const PairInstance& search, NearestPoints& found) const {
     const MotionSegment& first = search.segments()[0];
-    if (spacetime::overlapping(search.geometry, search.trees(), first, plan_.start())) {
-      found.time = {plan_.start(), plan_.start()};
+    if (spacetime::overlapping(search.geometry, search.trees(), first, instance_.start())) {
+      found.time = {instance_.start(), instance_.start()};
       return true;
     }
     const spacetime::SpacetimeResult contact =
@@ -132,7 +133,7 @@ class ClearanceSearch {
     if (contact.outcome == spacetime::SpacetimeResult::free) return false;
     if (contact.outcome == spacetime::SpacetimeResult::undecided) throw TouchUndecided{contact.reason};
     const MotionSegment& segment = search.segments()[contact.segment];
-    const Contact said = FeatureMap(search.plan, search.geometry, Offset::outward).contact(contact.found, segment);
+    const Contact said = FeatureMap(search.bodies, search.geometry, Offset::outward).contact(contact.found, segment);
     found.time = said.time;
     found.points = {said.point, said.point};
     return true;
@@ -141,15 +142,15 @@ class ClearanceSearch {
   void describe(const PairInstance& search, const spacetime::Nearest& nearest, NearestPoints& found) const {
     found = nearest_points_of(search, nearest.segment, nearest.parameter, nearest.edge_p, nearest.edge_q);
     const MotionSegment& segment = search.segments()[nearest.segment];
-    const double t = std::clamp(segment.time(nearest.parameter), plan_.start(), plan_.end());
+    const double t = std::clamp(segment.time(nearest.parameter), instance_.start(), instance_.end());
     found.time = {t, t};
-    found.hi = std::ldexp(nearest.distance, -plan_.exponent());
+    found.hi = std::ldexp(nearest.distance, -instance_.exponent());
     const double least = std::min(tolerance_.least(nearest.distance), nearest.unresolved);
-    found.lo = std::max(0.0, std::ldexp(least, -plan_.exponent()) * (1 - 0x1p-50));
+    found.lo = std::max(0.0, std::ldexp(least, -instance_.exponent()) * (1 - 0x1p-50));
   }
 
   const ClearanceOptions& options_;
-  WorldPlan plan_;
+  Instance instance_;
   CoarseBoxes boxes_;
   std::set<std::pair<int, int>> searched_;
   spacetime::ClearanceTolerance tolerance_;

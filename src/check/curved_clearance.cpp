@@ -8,7 +8,7 @@
 #include "check/run.hpp"
 #include "geometry/vector.hpp"
 #include "motion/pose.hpp"
-#include "world/world_plan.hpp"
+#include "world/instance.hpp"
 
 namespace taut::internal {
 namespace {
@@ -40,9 +40,9 @@ Clearance touching_curves(const Scene& scene, const ClearanceOptions& options, C
 /// An upper bound, in the scene's units, of the jump of two bodies relative to each other where pieces of motions join.
 /// Poses are linear in the point, so the corners of a body's box suffice.
 double largest_jump(const Scene& polygons) {
-  const WorldPlan plan(polygons);
+  const Instance instance(polygons);
   double largest = 0, reach = 0;
-  for (const WorldBody& body : plan.bodies()) {
+  for (const InstanceBody& body : instance.bodies()) {
     const Bounds& box = body.rings->bounds();
     const auto corner_at = [&](double of, double t, int corner) {
       const Pose<double> pose = pose_of<Jet<double>>(pieces_at(body.motions, of), Ball<double>::exact(t));
@@ -50,17 +50,17 @@ double largest_jump(const Scene& polygons) {
       return Vector{pose.ox.v.mid, pose.oy.v.mid} + Vector{pose.xx.v.mid, pose.xy.v.mid} * p;
     };
     for (const PieceList& motion : body.motions) {
-      for (std::size_t k = 0; k + 1 < motion.size() && motion.until(k) < plan.end(); ++k) {
+      for (std::size_t k = 0; k + 1 < motion.size() && motion.until(k) < instance.end(); ++k) {
         const double t = motion.until(k);
         for (int corner = 0; corner < 4; ++corner) {
           const Vector after = corner_at(t, t, corner);
-          largest = std::max(largest, l1_norm(corner_at(std::nextafter(t, plan.start()), t, corner) - after));
+          largest = std::max(largest, l1_norm(corner_at(std::nextafter(t, instance.start()), t, corner) - after));
           reach = std::max(reach, l1_norm(after));
         }
       }
     }
   }
-  return std::ldexp(2 * (largest + 0x1p-40 * reach), -plan.exponent());
+  return std::ldexp(2 * (largest + 0x1p-40 * reach), -instance.exponent());
 }
 
 /// The least distance of all pairs, between those of polygons around the bodies and within them. Where curves run along

@@ -5,7 +5,7 @@
 #include "check/curved_questions.hpp"
 #include "check/near_cells.hpp"
 #include "check/run.hpp"
-#include "world/world_plan.hpp"
+#include "world/instance.hpp"
 
 namespace taut::internal {
 namespace {
@@ -99,11 +99,11 @@ class CurvedProfile {
 
   const std::vector<std::array<BodyId, 2>>& asked_pairs() {
     if (!pairs_.empty()) return pairs_;
-    const WorldPlan plan(world_.polygons(CurveSide::inner));
-    const int n = static_cast<int>(plan.bodies().size());
+    const Instance instance(world_.polygons(CurveSide::inner));
+    const int n = static_cast<int>(instance.bodies().size());
     for (int a = 0; a < n; ++a) {
       for (int b = a + 1; b < n; ++b) {
-        if (plan.asked(a, b)) pairs_.push_back({a, b});
+        if (instance.asked(a, b)) pairs_.push_back({a, b});
       }
     }
     return pairs_;

@@ -29,10 +29,10 @@ class ProfileSearch {
  public:
   /// Searches only the instants, or the whole profile.
   ProfileSearch(const Scene& scene, const ProfileOptions& options, bool only_instants)
-      : options_(options), only_instants_(only_instants), plan_(scene) {
+      : options_(options), only_instants_(only_instants), instance_(scene) {
     // A little less than the tolerance; the rest is for rounding.
-    tolerance_ = {options.relative * 0.99, 0.99e-12 * plan_.largest()};
-    absolute_ = std::ldexp(1e-12 * plan_.largest(), -plan_.exponent());
+    tolerance_ = {options.relative * 0.99, 0.99e-12 * instance_.largest()};
+    absolute_ = std::ldexp(1e-12 * instance_.largest(), -instance_.exponent());
   }
 
   DistanceProfile run(const Intervals& touching) {
@@ -48,27 +48,28 @@ class ProfileSearch {
 
  private:
   void find_pairs(const Intervals& touching) {
-    const int n = static_cast<int>(plan_.bodies().size());
+    const int n = static_cast<int>(instance_.bodies().size());
     auto next = touching.intervals.begin();
     for (int a = 0; a < n; ++a) {
       for (int b = a + 1; b < n; ++b) {
-        if (!plan_.asked(a, b)) continue;
+        if (!instance_.asked(a, b)) continue;
         checkpoint();
-        pairs_.push_back({{a, b}, PairInstance(plan_, a, b, Offset::outward), {}});
+        pairs_.push_back({{a, b}, PairInstance(instance_, a, b, Offset::outward), {}});
         while (next != touching.intervals.end() && next->pair == pairs_.back().pair)
           pairs_.back().touching.push_back(*next++);
       }
     }
-    answer_.coverage = plan_.coverage(pairs_.size());
+    answer_.coverage = instance_.coverage(pairs_.size());
   }
 
   double instant(int k) const {
     const double share = static_cast<double>(k) / (options_.instants - 1);
-    return k + 1 == options_.instants ? plan_.end() : plan_.start() + (plan_.end() - plan_.start()) * share;
+    return k + 1 == options_.instants ? instance_.end()
+                                      : instance_.start() + (instance_.end() - instance_.start()) * share;
   }
 
   DistanceCurve curve(const std::vector<const PairDistance*>& pairs) const {
-    const DistanceFunction distance(pairs, tolerance_, plan_.exponent());
+    const DistanceFunction distance(pairs, tolerance_, instance_.exponent());
     DistanceCurve curve;
     if (pairs.size() == 1) curve.pair = pairs[0]->pair;
     for (int k = 0; k < options_.instants; ++k) curve.instants.push_back(distance.at(instant(k)));
@@ -127,7 +128,7 @@ class ProfileSearch {
 
   const ProfileOptions& options_;
   bool only_instants_;
-  WorldPlan plan_;
+  Instance instance_;
   spacetime::ClearanceTolerance tolerance_;
   double absolute_ = 0;
   std::vector<PairDistance> pairs_;

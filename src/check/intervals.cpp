@@ -19,13 +19,13 @@ namespace taut {
 using namespace internal;
 namespace {
 
-void search_pair(const WorldPlan& plan, int a, int b, const std::vector<TimeInterval>& near, Offset offset, bool plain,
-                 Intervals& answer) {
+void search_pair(const Instance& instance, int a, int b, const std::vector<TimeInterval>& near, Offset offset,
+                 bool plain, Intervals& answer) {
   const std::string stopped = what_stops([&] {
-    for (OverlapInterval& found : overlap_intervals(plan, a, b, near, offset, plain))
+    for (OverlapInterval& found : overlap_intervals(instance, a, b, near, offset, plain))
       answer.intervals.push_back(std::move(found));
   });
-  if (!stopped.empty()) answer.undecided.push_back({{a, b}, Outcome::undecided, {}, plan.start(), stopped});
+  if (!stopped.empty()) answer.undecided.push_back({{a, b}, Outcome::undecided, {}, instance.start(), stopped});
 }
 
 }  // namespace
@@ -52,14 +52,14 @@ Intervals intervals(const Scene& scene, const CheckOptions& options) {
   if (has_curves(scene)) return intervals_of_curves(scene, options);
   // Limits start with the first pair, so that interruptions are reported pair by pair.
   validate_polygons(scene);
-  const WorldPlan plan(scene);
-  const NearStretches near(plan);
+  const Instance instance(scene);
+  const NearStretches near(instance);
   // A single pair is searched over the whole time in one pass.
-  const std::vector<TimeInterval> throughout{{plan.start(), plan.end()}};
+  const std::vector<TimeInterval> throughout{{instance.start(), instance.end()}};
   const bool single = scene.bodies.size() == 2;
   const Budget scope(options.limits);
   Intervals answer;
-  answer.coverage = plan.coverage(near.pairs().size());
+  answer.coverage = instance.coverage(near.pairs().size());
   if (answer.coverage.is_empty()) {
     answer.outcome = Outcome::untested;
     answer.reason = why_untested(answer.coverage);
@@ -68,7 +68,7 @@ Intervals intervals(const Scene& scene, const CheckOptions& options) {
   std::uint64_t searched = 0;
   for (const auto& [pair, stretches] : near.pairs()) {
     report_parts("pairs", searched++, near.pairs().size());
-    search_pair(plan, pair.first, pair.second, single ? throughout : stretches, offset_for(options.touch), single,
+    search_pair(instance, pair.first, pair.second, single ? throughout : stretches, offset_for(options.touch), single,
                 answer);
   }
   conclude(answer);
@@ -104,8 +104,9 @@ std::optional<CurveGeometry> geometry_of_range(const std::optional<CurveGeometry
 
 /// The coverage for the whole time: a pair may be at rest, and not be tested, on one side of the instant only.
 Coverage coverage_of_range(const Scene& scene, const Intervals& before, const Intervals& after) {
-  const WorldPlan plan(has_curves(scene) ? CurvedWorld(scene).polygons(CurveSide::outer) : scene);
-  return plan.coverage(std::min(plan.coverage(0).apart, std::max(before.coverage.tested, after.coverage.tested)));
+  const Instance instance(has_curves(scene) ? CurvedWorld(scene).polygons(CurveSide::outer) : scene);
+  return instance.coverage(
+      std::min(instance.coverage(0).apart, std::max(before.coverage.tested, after.coverage.tested)));
 }
 
 }  // namespace

@@ -195,10 +195,10 @@ RobotFinding MapQuery::Impl::on_any_motion(std::span<const Motion> motions, doub
   }
   for (const auto& [p, q] : search->meeting()) {
     const auto a = static_cast<std::size_t>(p), b = static_cast<std::size_t>(q);
-    PairPlan plan = pair_of(search->links()[a].rings, chain_of(motions, a, start, end), search->links()[b].rings,
-                            chain_of(motions, b, start, end));
-    auto segments = std::make_shared<const MotionSegments>(segments_of(plan, start, end));
-    SpacetimeSolver pair(PairInstance(std::move(plan), std::move(segments), offset), offset, start, end);
+    BodyPair links = pair_of(search->links()[a].rings, chain_of(motions, a, start, end), search->links()[b].rings,
+                             chain_of(motions, b, start, end));
+    auto segments = std::make_shared<const MotionSegments>(segments_of(links, start, end));
+    SpacetimeSolver pair(PairInstance(std::move(links), std::move(segments), offset), offset, start, end);
     pair.ask_start();
     if (pair.open()) pair.ask(start, end);
     note(pair.result(), p, -1, q);

@@ -26,18 +26,18 @@ class MarginSearch {
  public:
   MarginSearch(const Scene& scene, double clearance, const CheckOptions& options)
       : options_(options),
-        plan_(scene),
+        instance_(scene),
         clearance_(clearance),
-        margin_(std::ldexp(clearance, plan_.exponent())),
+        margin_(std::ldexp(clearance, instance_.exponent())),
         offset_(offset_for(options.touch)),
-        stop_(plan_.end()) {
-    answer_.free_until = plan_.end();
+        stop_(instance_.end()) {
+    answer_.free_until = instance_.end();
   }
 
   MarginAnswer run() {
-    if (plan_.coverage(0).is_empty()) return untested();
-    const std::vector<std::pair<int, int>> near = CoarseBoxes(plan_).pairs_within(margin_);
-    answer_.coverage = plan_.coverage(near.size());
+    if (instance_.coverage(0).is_empty()) return untested();
+    const std::vector<std::pair<int, int>> near = CoarseBoxes(instance_).pairs_within(margin_);
+    answer_.coverage = instance_.coverage(near.size());
     std::uint64_t asked = 0;
     for (const auto& [a, b] : near) {
       checkpoint();
@@ -51,36 +51,36 @@ class MarginSearch {
  private:
   MarginAnswer untested() {
     answer_.outcome = Outcome::untested;
-    answer_.coverage = plan_.coverage(0);
+    answer_.coverage = instance_.coverage(0);
     answer_.reason = why_untested(answer_.coverage);
-    answer_.free_until = plan_.start();
+    answer_.free_until = instance_.start();
     return std::move(answer_);
   }
 
   void ask(int a, int b) {
     PairMargin pair;
     pair.bodies = {a, b};
-    pair.free_until = plan_.end();
-    settle(PairInstance(plan_, a, b, offset_), pair);
+    pair.free_until = instance_.end();
+    settle(PairInstance(instance_, a, b, offset_), pair);
     if (options_.all_pairs) answer_.pairs.push_back(pair);
     if (pair.outcome == Outcome::free) return;
     // Other pairs are followed a little further, so that those that come closer at the same time are detected.
-    const double room = 0x1p-30 * (plan_.end() - plan_.start());
+    const double room = 0x1p-30 * (instance_.end() - instance_.start());
     if (pair.outcome == Outcome::contact && !options_.all_pairs) stop_ = std::min(stop_, pair.time.hi + room);
     events_.push_back(std::move(pair));
   }
 
   void settle(const PairInstance& search, PairMargin& pair) const {
     try {
-      if (spacetime::overlapping(search.geometry, search.trees(), search.segments()[0], plan_.start())) {
+      if (spacetime::overlapping(search.geometry, search.trees(), search.segments()[0], instance_.start())) {
         pair.outcome = Outcome::overlap_at_start;
-        pair.free_until = plan_.start();
+        pair.free_until = instance_.start();
         return;
       }
     } catch (const Undecidable& limit) {
       pair.outcome = Outcome::undecided;
       pair.reason = not_decided(limit);
-      pair.free_until = plan_.start();
+      pair.free_until = instance_.start();
       return;
     }
     take(search,
@@ -91,14 +91,14 @@ class MarginSearch {
   void take(const PairInstance& search, const MarginResult& found, PairMargin& pair) const {
     if (found.outcome == MarginResult::free) return;
     const MotionSegment& segment = search.segments()[found.segment];
-    const auto time_at = [&](double t) { return std::clamp(segment.time(t), plan_.start(), plan_.end()); };
+    const auto time_at = [&](double t) { return std::clamp(segment.time(t), instance_.start(), instance_.end()); };
     pair.free_until = time_at(found.lo);
     if (found.outcome == MarginResult::undecided) {
       pair.outcome = Outcome::undecided;
       pair.reason = found.reason;
       return;
     }
-    if (found.at_once && found.lo <= plan_.start()) return take_start(search, found, pair);
+    if (found.at_once && found.lo <= instance_.start()) return take_start(search, found, pair);
     const ContactBracket bracket = bracket_of(search, found);
     pair.outcome = Outcome::contact;
     pair.time = {time_at(bracket.lo), time_at(bracket.hi)};
@@ -110,9 +110,9 @@ class MarginSearch {
   /// Like a contact at the start: bodies displaced outwards are as close as the margin if the given ones are, those
   /// displaced inwards only if the given ones are closer.
   void take_start(const PairInstance& search, const MarginResult& found, PairMargin& pair) const {
-    const double start = plan_.start();
+    const double start = instance_.start();
     if (offset_ == Offset::outward) {
-      const PairInstance smaller(plan_, pair.bodies[0], pair.bodies[1], Offset::inward);
+      const PairInstance smaller(instance_, pair.bodies[0], pair.bodies[1], Offset::inward);
       const MarginResult closer =
           spacetime::first_closer(smaller.geometry, smaller.trees(), smaller.segments(), margin_, {start, start});
       if (closer.outcome == MarginResult::undecided) {
@@ -132,7 +132,7 @@ class MarginSearch {
   }
 
   ContactBracket bracket_of(const PairInstance& search, const MarginResult& found) const {
-    const std::optional<PairGeometry> other = displaced_pair_if_possible(search.plan, opposite(offset_));
+    const std::optional<PairGeometry> other = displaced_pair_if_possible(search.bodies, opposite(offset_));
     const MotionSegment& segment = search.segments()[found.segment];
     if (found.at_once) return {found.lo, found.hi, false};
     if (!other)
@@ -152,7 +152,7 @@ class MarginSearch {
     nearest.hi = clearance_;
     nearest.time = {pair.time.hi, pair.time.hi};
     pair.nearest = nearest;
-    const FeatureMap witness(search.plan, search.geometry, offset_);
+    const FeatureMap witness(search.bodies, search.geometry, offset_);
     CloseFeatures features;
     features.vertex = witness.vertex(vertex);
     if (found.pair.is_edge) {
@@ -167,11 +167,11 @@ class MarginSearch {
     spacetime::Nearest found;
     // Not the margin, which may be below the resolution of doubles.
     found.distance = INFINITY;
-    spacetime::find_nearest_within(search.geometry, search.trees(), search.segments(), plan_.start(), plan_.start(),
-                                   {1e-9, 0}, found);
+    spacetime::find_nearest_within(search.geometry, search.trees(), search.segments(), instance_.start(),
+                                   instance_.start(), {1e-9, 0}, found);
     NearestPoints nearest = nearest_points_of(search, found.segment, found.parameter, found.edge_p, found.edge_q);
-    nearest.hi = std::ldexp(found.distance, -plan_.exponent());
-    nearest.time = {plan_.start(), plan_.start()};
+    nearest.hi = std::ldexp(found.distance, -instance_.exponent());
+    nearest.time = {instance_.start(), instance_.start()};
     return nearest;
   }
 
@@ -202,7 +202,7 @@ class MarginSearch {
   }
 
   const CheckOptions& options_;
-  WorldPlan plan_;
+  Instance instance_;
   double clearance_, margin_;  ///< in the scene's units, and in internal units
   Offset offset_;
   double stop_;

@@ -9,7 +9,7 @@ namespace taut::internal {
 
 NearestPoints nearest_points_of(const PairInstance& search, std::size_t segment, double parameter, VertexId edge_p,
                                 VertexId edge_q) {
-  const FeatureMap witness(search.plan, search.geometry, Offset::outward);
+  const FeatureMap witness(search.bodies, search.geometry, Offset::outward);
   const MotionSegment& on = search.segments()[segment];
   const auto at = [&](VertexId v) { return witness.in_frame(v, on, parameter); };
   const auto found = spacetime::Closest::of(at(edge_p), at(search.geometry.next(edge_p)), at(edge_q),

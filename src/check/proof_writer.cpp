@@ -90,7 +90,7 @@ void ProofWriter::tiling(const PlanarMap& map) {
 
 /// The outward shapes overlap already, but the inward ones do not: a tiling of the inward shapes proves it.
 void ProofWriter::contact_at_start(const KineticSolver& solver) {
-  const PairGeometry inner = displaced_pair(solver.plan(), Offset::inward);
+  const PairGeometry inner = displaced_pair(solver.bodies(), Offset::inward);
   header(Shapes::inwards);
   tiling(build_tiling(Placement(inner, segments_.front(), scene_.start)).map);
   kind(Record::touching);

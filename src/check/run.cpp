@@ -38,9 +38,9 @@ void Run::run() {
   try {
     scope_.check();
     prepare();
-    answer_.coverage = plan_->coverage(0);
+    answer_.coverage = instance_->coverage(0);
     if (answer_.coverage.is_empty()) return leave_untested();
-    search_.emplace(*plan_, options_.touch, options_.all_pairs, choice_, options_.max_events);
+    search_.emplace(*instance_, options_.touch, options_.all_pairs, choice_, options_.max_events);
     answer_.build_seconds = seconds_since(start);
     if (search_->start()) search_->run();
     answer_.outcome = Outcome::free;
@@ -57,7 +57,7 @@ void Run::run() {
 void Run::prepare() {
   const UnmeteredScope preparing;
   validate_polygons(scene_);
-  plan_.emplace(scene_);
+  instance_.emplace(scene_);
 }
 
 void Run::leave_untested() {
@@ -86,7 +86,7 @@ void Run::conclude() {
   }
   take_earliest(events, answer_);
   if (answer_.outcome == Outcome::overlap_at_start && answer_.pair)
-    answer_.overlap_point = common_point(plan_->pair((*answer_.pair)[0], (*answer_.pair)[1]), scene_.start);
+    answer_.overlap_point = common_point(instance_->pair((*answer_.pair)[0], (*answer_.pair)[1]), scene_.start);
   name_engine();
   if (answer_.outcome == Outcome::undecided && scene_.bodies.size() == 2) answer_.pair = {0, 1};
 }

@@ -26,7 +26,7 @@ class Run {
   /// The answer, including for open touching whether bodies that stay free touch: see Answer::touching.
   Answer answer_with_touching() const;
   /// None if the run was interrupted before there was one.
-  const std::optional<WorldPlan>& plan() const { return plan_; }
+  const std::optional<Instance>& instance() const { return instance_; }
   const std::optional<WorldSearch>& search() const { return search_; }
 
  private:
@@ -41,7 +41,7 @@ class Run {
   const CheckOptions& options_;
   SolverChoice choice_;
   Budget scope_;
-  std::optional<WorldPlan> plan_;
+  std::optional<Instance> instance_;
   std::optional<WorldSearch> search_;
   Answer answer_;
   std::string stopped_;

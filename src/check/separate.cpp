@@ -21,17 +21,17 @@ namespace {
 
 class SeparationSearch {
  public:
-  SeparationSearch(const Scene& scene, double travel) : plan_(scene), ignored_(scene), travel_(travel) {
-    for (const WorldBody& body : plan_.bodies()) {
+  SeparationSearch(const Scene& scene, double travel) : instance_(scene), ignored_(scene), travel_(travel) {
+    for (const InstanceBody& body : instance_.bodies()) {
       standing_.push_back(std::make_unique<const StandingBody>(
-          StandingBody{VerticesAtPose(body, plan_.start(), Offset::inward), tree_of(*body.rings, Offset::inward)}));
+          StandingBody{VerticesAtPose(body, instance_.start(), Offset::inward), tree_of(*body.rings, Offset::inward)}));
       left_.push_back(static_cast<int>(left_.size()));
     }
   }
 
   /// The bodies stand still, so it does not matter which of them move alike later.
   Coverage coverage() const {
-    Coverage coverage = plan_.coverage(0);
+    Coverage coverage = instance_.coverage(0);
     coverage.tested = coverage.pairs - coverage.ignored;
     coverage.apart = coverage.at_rest = coverage.moving_alike = 0;
     return coverage;
@@ -72,8 +72,8 @@ class SeparationSearch {
       for (int b = a + 1; b < n; ++b) {
         checkpoint();
         if (ignored_.has(a, b)) continue;
-        const PairInstance pair(plan_, a, b, Offset::inward);
-        if (spacetime::overlapping(pair.geometry, pair.trees(), pair.segments()[0], plan_.start()))
+        const PairInstance pair(instance_, a, b, Offset::inward);
+        if (spacetime::overlapping(pair.geometry, pair.trees(), pair.segments()[0], instance_.start()))
           return std::array<BodyId, 2>{a, b};
       }
     }
@@ -82,7 +82,7 @@ class SeparationSearch {
 
   /// The directions of a body relative to all that are left.
   BodyDirections directions(int body) const {
-    FreeDirections search(*standing_[static_cast<std::size_t>(body)], std::ldexp(travel_, plan_.exponent()));
+    FreeDirections search(*standing_[static_cast<std::size_t>(body)], std::ldexp(travel_, instance_.exponent()));
     std::vector<int> others;
     for (const int other : left_) {
       if (other == body || ignored_.has(body, other)) continue;
@@ -103,7 +103,7 @@ class SeparationSearch {
   DirectionArc arc_of(int body, const std::vector<int>& others, const FreeDirections& search,
                       const VertexArc& arc) const {
     const auto rings = [&](int index) -> const RingSet& {
-      return *plan_.bodies()[static_cast<std::size_t>(index)].rings;
+      return *instance_.bodies()[static_cast<std::size_t>(index)].rings;
     };
     const auto vertices = [&](const VertexDirection& d) -> std::optional<std::array<VertexRef, 2>> {
       if (d.kind != VertexDirection::Kind::vertices) return std::nullopt;
@@ -156,7 +156,7 @@ class SeparationSearch {
     return {can.body, widest, middle >= 360 ? middle - 360 : middle};
   }
 
-  WorldPlan plan_;
+  Instance instance_;
   IgnoredPairs ignored_;
   double travel_;
   std::vector<std::unique_ptr<const StandingBody>> standing_;

@@ -61,8 +61,8 @@ std::pair<proof::FineInstant, Instant> instant(const proof::VerifierPair& pair, 
 
 template <class IsIt>
 VertexId id_where(const proof::VerifierPair& pair, BodyId body, const IsIt& is_it) {
-  const bool p = pair.plan.rings[0]->body() == body;
-  const RingSet& rings = *pair.plan.rings[p ? 0 : 1];
+  const bool p = pair.bodies.rings[0]->body() == body;
+  const RingSet& rings = *pair.bodies.rings[p ? 0 : 1];
   std::uint32_t k = 0;
   while (!is_it(rings, k)) ++k;
   return VertexId(p ? k : pair.geometry.np + k);

@@ -150,7 +150,7 @@ class MapRun {
   double start_, end_;
   const CheckOptions& options_;
   Budget scope_;
-  WorldBody mover_;
+  InstanceBody mover_;
   bool beyond_doubles_ = false;
 };
 

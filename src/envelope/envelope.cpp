@@ -34,16 +34,16 @@ struct LinkedPair {
   CellPair cells;
   std::array<BodyId, 2> bodies;
 
-  LinkedPair(const WorldPlan& world, int a, int b, const std::vector<Chain>& chains)
+  LinkedPair(const Instance& world, int a, int b, const std::vector<Chain>& chains)
       : search(world, a, b, Offset::outward), cells(search.geometry, search.trees()), bodies{a, b} {
-    of_p = chains[static_cast<std::size_t>(search.plan.rings[0]->body())];
-    of_q = chains[static_cast<std::size_t>(search.plan.rings[1]->body())];
+    of_p = chains[static_cast<std::size_t>(search.bodies.rings[0]->body())];
+    of_q = chains[static_cast<std::size_t>(search.bodies.rings[1]->body())];
     drop_common(of_p, of_q);
   }
 };
 
 /// Two bodies that no joint moves against each other overlap.
-bool overlap_at_rest(const WorldPlan& world, int a, int b) {
+bool overlap_at_rest(const Instance& world, int a, int b) {
   const PairInstance pair(world, a, b, Offset::inward);
   return spacetime::overlapping(pair.geometry, pair.trees(), pair.segments()[0], world.start()).has_value();
 }
@@ -278,7 +278,7 @@ class EnvelopeSearch {
   const Linkage& linkage_;
   const EnvelopeOptions& options_;
   Scene rests_;
-  WorldPlan world_;
+  Instance world_;
   double scale_ = 1;
   std::vector<std::unique_ptr<LinkedPair>> pairs_;  ///< that joints move against each other
   std::optional<std::array<BodyId, 2>> overlap_;    ///< of bodies that are fixed to each other, if they are tested

@@ -21,7 +21,7 @@ struct Id {
   friend constexpr bool operator<(Id a, Id b) { return a.value < b.value; }
 };
 
-/// The two roles in a pair of bodies: plan_pair() says which of them plays P. In a world a body has a role in each of
+/// The two roles in a pair of bodies: pair_of() says which of them plays P. In a world a body has a role in each of
 /// its pairs, and each of its rings one in each pair of rings. Arrays of two have P's first.
 enum class Role : std::uint8_t { p, q };
 constexpr Role other(Role role) { return role == Role::p ? Role::q : Role::p; }

@@ -11,14 +11,14 @@
 
 namespace taut::internal {
 
-RingEngines::RingEngines(const PairPlan& plan, const PairGeometry& geometry, Offset offset, MotionSegments segments,
+RingEngines::RingEngines(const BodyPair& bodies, const PairGeometry& geometry, Offset offset, MotionSegments segments,
                          EngineObserver* observer)
-    : plan_(plan), geometry_(geometry), offset_(offset), segments_(std::move(segments)) {
+    : bodies_(bodies), geometry_(geometry), offset_(offset), segments_(std::move(segments)) {
   const RingMeetings meetings = meetings_at_start();
   inside_ = meetings.inside;
   overlap_ = inside_.has_value();
-  keeps_tilings_ = meetings.pairs.size() > plan.rings[0]->rings().size() + plan.rings[1]->rings().size() ||
-                   (plan.rings[0]->is_prepared() && plan.rings[1]->is_prepared());
+  keeps_tilings_ = meetings.pairs.size() > bodies.rings[0]->rings().size() + bodies.rings[1]->rings().size() ||
+                   (bodies.rings[0]->is_prepared() && bodies.rings[1]->is_prepared());
   for (const RingMeeting& rings : meetings.pairs) {
     begin(rings, observer);
     if (overlap_) return;
@@ -27,10 +27,10 @@ RingEngines::RingEngines(const PairPlan& plan, const PairGeometry& geometry, Off
 
 /// The tiling of two single rings also shows whether one lies inside the other.
 RingMeetings RingEngines::meetings_at_start() {
-  if (plan_.rings[0]->rings().size() == 1 && plan_.rings[1]->rings().size() == 1) return {{{0, 0}}, {}};
+  if (bodies_.rings[0]->rings().size() == 1 && bodies_.rings[1]->rings().size() == 1) return {{{0, 0}}, {}};
   const MotionSegment& first = segments_.front();
   const Placement placement(geometry_, first, first.start, Positions::on_demand);
-  RingMeetings meetings = ring_meetings(plan_, placement);
+  RingMeetings meetings = ring_meetings(bodies_, placement);
   at_start_ = placement.stages();
   return meetings;
 }
@@ -39,7 +39,7 @@ const MotionSegments& RingEngines::segments_in_roles(bool exchanged) {
   if (!exchanged) return segments_;
   if (!exchanged_segments_) {
     const double start = segments_.place(0).start, end = segments_.place(segments_.size() - 1).end;
-    exchanged_segments_ = exchanged_segments_of(plan_, start, end);
+    exchanged_segments_ = exchanged_segments_of(bodies_, start, end);
   }
   return *exchanged_segments_;
 }
@@ -57,7 +57,7 @@ const ShapeTiling* RingEngines::tiling_of(const Run& run, Role role) const {
 }
 
 double RingEngines::diameter_of(Role role, std::size_t ring) {
-  const RingSet& rings = *plan_.rings[index_of(role)];
+  const RingSet& rings = *bodies_.rings[index_of(role)];
   std::vector<double>& known = diameters_[index_of(role)];
   if (known.empty()) known.assign(rings.rings().size(), -1);
   if (known[ring] < 0) known[ring] = rings.diameter_squared(ring);
@@ -65,7 +65,7 @@ double RingEngines::diameter_of(Role role, std::size_t ring) {
 }
 
 void RingEngines::begin(const RingMeeting& rings, EngineObserver* observer) {
-  const RingSet &p = *plan_.rings[0], &q = *plan_.rings[1];
+  const RingSet &p = *bodies_.rings[0], &q = *bodies_.rings[1];
   Run run;
   run.rings = rings;
   // The rules at the root require the polygon with the larger diameter as P. The box of a container is larger than its
@@ -87,7 +87,7 @@ void RingEngines::begin(const RingMeeting& rings, EngineObserver* observer) {
 
 bool RingEngines::is_contained(std::size_t k) const {
   const RingMeeting& rings = runs_[k].rings;
-  return plan_.rings[0]->rings()[rings.p].ring > 0 || plan_.rings[1]->rings()[rings.q].ring > 0;
+  return bodies_.rings[0]->rings()[rings.p].ring > 0 || bodies_.rings[1]->rings()[rings.q].ring > 0;
 }
 
 RingEngines::Arrival RingEngines::advance(double t, std::uint64_t events) {

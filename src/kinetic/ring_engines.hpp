@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "kinetic/engine.hpp"
-#include "pair/pair_plan.hpp"
+#include "pair/body_pair.hpp"
 #include "pair/ring_meetings.hpp"
 #include "sign/contact_bracket.hpp"
 
@@ -20,7 +20,7 @@ class RingEngines {
  public:
   /// Builds the tilings at the start of the segments, which are those of the plan. The plan, the geometry and the
   /// observer, which may be null, must outlive this object. Throws Undecidable.
-  RingEngines(const PairPlan& plan, const PairGeometry& geometry, Offset offset, MotionSegments segments,
+  RingEngines(const BodyPair& bodies, const PairGeometry& geometry, Offset offset, MotionSegments segments,
               EngineObserver* observer = nullptr);
 
   /// Do the bodies overlap at the start of the segments? If so, no other query is allowed.
@@ -78,7 +78,7 @@ class RingEngines {
     for (const Run& run : runs_) sum += ((*run.engine).*count)();
     return sum;
   }
-  const RingSet& set_of(const Run& run, Role role) const { return *plan_.rings[index_of(run.in_pair(role))]; }
+  const RingSet& set_of(const Run& run, Role role) const { return *bodies_.rings[index_of(run.in_pair(role))]; }
   static std::size_t ring_number(const Run& run, Role role) {
     return run.in_pair(role) == Role::p ? run.rings.p : run.rings.q;
   }
@@ -92,7 +92,7 @@ class RingEngines {
   void note_contact(const Run& run);
   bool comes_before(const Found& a, const Found& b) const;
 
-  const PairPlan& plan_;
+  const BodyPair& bodies_;
   const PairGeometry& geometry_;
   Offset offset_;
   bool keeps_tilings_ = false;  ///< of each ring alone, since there are several queries about it

@@ -19,16 +19,16 @@ namespace taut::internal {
 
 namespace {
 
-const ShapeTiling* known_tiling(const PairPlan& plan, Role role, Offset offset) {
-  const RingSet& rings = *plan.rings[index_of(role)];
+const ShapeTiling* known_tiling(const BodyPair& bodies, Role role, Offset offset) {
+  const RingSet& rings = *bodies.rings[index_of(role)];
   if (!rings.is_prepared()) return nullptr;
   const SharedPolygon& polygon = rings.displaced(offset);
   return rings.kept_of<ShapeTiling>(0, offset, role,
                                     [&] { return tile_shape(polygon, role == Role::p ? node::p_tree : node::q_tree); });
 }
 
-KnownTilings known_tilings(const PairPlan& plan, Offset offset) {
-  return {known_tiling(plan, Role::p, offset), known_tiling(plan, Role::q, offset)};
+KnownTilings known_tilings(const BodyPair& bodies, Offset offset) {
+  return {known_tiling(bodies, Role::p, offset), known_tiling(bodies, Role::q, offset)};
 }
 
 }  // namespace
@@ -37,7 +37,7 @@ Session::Session(const Scene& scene, Touch touch, Tracer* tracer, EngineObserver
     : start_(scene.start), end_(scene.end), tracer_(tracer), observer_(observer) {
   validate_polygons(scene);
   require_ring_pair(scene, "a simulation of a tiling");
-  plan_ = plan_pair(scene);
+  bodies_ = pair_of(scene);
   build(offset_for(touch));
   if (engine_->state() == EngineState::overlap) resolve_overlap();
 }
@@ -55,13 +55,13 @@ void Session::resolve_overlap() {
     return;
   }
   overlap_at_start_ = true;
-  overlap_point_ = common_point(plan_, start_);
+  overlap_point_ = common_point(bodies_, start_);
 }
 
 void Session::build(Offset offset) {
   offset_ = offset;
-  engine_ = std::make_unique<Engine>(displaced_pair(plan_, offset), segments_of(plan_, start_, end_),
-                                     static_cast<EngineObserver*>(this), known_tilings(plan_, offset));
+  engine_ = std::make_unique<Engine>(displaced_pair(bodies_, offset), segments_of(bodies_, start_, end_),
+                                     static_cast<EngineObserver*>(this), known_tilings(bodies_, offset));
 }
 
 bool Session::finished() const { return overlap_at_start_ || contact_ || engine_->state() != EngineState::running; }
@@ -90,24 +90,25 @@ void Session::set_motion(BodyId body, const Motion& motion) {
   }
   if (contact_) return;
   const double now = engine_->time();
-  const Role role = plan_.body(Role::p) == body ? Role::p : Role::q;
+  const Role role = bodies_.body(Role::p) == body ? Role::p : Role::q;
   const std::size_t k = index_of(role);
-  const std::string& name = plan_.rings[k]->name();
-  const Bounds bounds = plan_.rings[k]->input_bounds();
-  const double extent = std::max(diagonal(plan_.rings[0]->input_bounds()), diagonal(plan_.rings[1]->input_bounds()));
+  const std::string& name = bodies_.rings[k]->name();
+  const Bounds bounds = bodies_.rings[k]->input_bounds();
+  const double extent =
+      std::max(diagonal(bodies_.rings[0]->input_bounds()), diagonal(bodies_.rings[1]->input_bounds()));
   validate_motion(motion, name, bounds, now, end_, extent);
-  const PieceList fresh = PieceList::between(motion, now, end_, plan_.exponent);
+  const PieceList fresh = PieceList::between(motion, now, end_, bodies_.exponent);
   const MotionPiece before = role == Role::p ? engine_->segment().p : engine_->segment().q;
-  const MotionPiece from = scaled(before, -plan_.exponent), to = scaled(fresh[0], -plan_.exponent);
+  const MotionPiece from = scaled(before, -bodies_.exponent), to = scaled(fresh[0], -bodies_.exponent);
   const double gap = joint_gap(from, to, bounds, now);
   if (!(gap <= joint_room(from, to, bounds, now, extent))) {
     throw InputError(name, fmt::format("the new motion jumps by {:.6g} at the present, t = {}", gap, now),
                      "coefficients are in powers of t, or of t - origin where the piece has an origin");
   }
-  plan_.motions[k] = {fresh};
-  MotionSegments segments = segments_of(plan_, now, end_);
+  bodies_.motions[k] = {fresh};
+  MotionSegments segments = segments_of(bodies_, now, end_);
   if (!same_motion(before, fresh[0])) {
-    const MotionPiece p = plan_.motions[0][0].at(now), q = plan_.motions[1][0].at(now);
+    const MotionPiece p = bodies_.motions[0][0].at(now), q = bodies_.motions[1][0].at(now);
     segments.put_first(
         MotionSegment::bridging(engine_->segment().p, engine_->segment().q, p, q, now, engine_->segment().far()));
   }

@@ -39,17 +39,17 @@ class Session : private EngineObserver {
   VertexRef input_vertex(VertexId v) const;
   /// World position of a vertex at the engine's current time, in the input's units (rounded).
   Point world(VertexId v) const;
-  const PairPlan& plan() const { return plan_; }
+  const BodyPair& bodies() const { return bodies_; }
 
  private:
   void on_event(const EngineEvent& event) override;
   void build(Offset offset);
   void resolve_overlap();
   void note_contact();
-  FeatureMap witness() const { return {plan_, engine_->geometry(), offset_}; }
+  FeatureMap witness() const { return {bodies_, engine_->geometry(), offset_}; }
 
   double start_, end_;
-  PairPlan plan_;
+  BodyPair bodies_;
   Tracer* tracer_;
   EngineObserver* observer_;
   std::unique_ptr<Engine> engine_;

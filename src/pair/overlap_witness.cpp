@@ -199,9 +199,9 @@ std::vector<Point> wedge(const Point& a, const Point& b, const Point& c, const P
 }
 
 /// The wedge at an edge of P and one of Q that cross, if the inward shapes have such edges.
-std::vector<Point> beside_crossing(const PairPlan& plan, const MotionSegment& segment, double t, const PlacedFrame& p,
+std::vector<Point> beside_crossing(const BodyPair& bodies, const MotionSegment& segment, double t, const PlacedFrame& p,
                                    const PlacedFrame& q) {
-  const std::optional<PairGeometry> inner = displaced_pair_if_possible(plan, Offset::inward);
+  const std::optional<PairGeometry> inner = displaced_pair_if_possible(bodies, Offset::inward);
   if (!inner) return {};
   const auto crossing = crossing_edges(Placement(*inner, segment, t));
   if (!crossing) return {};
@@ -214,13 +214,13 @@ std::vector<Point> beside_crossing(const PairPlan& plan, const MotionSegment& se
 
 using PlacedParts = std::vector<PlacedPart>;
 
-std::optional<Point> found_point(const PairPlan& plan, const MotionSegment& segment, double t,
+std::optional<Point> found_point(const BodyPair& bodies, const MotionSegment& segment, double t,
                                  const std::array<PlacedFrame, 2>& frames, const PlacedParts& p, const PlacedParts& q) {
   const auto in_some = [](const PlacedParts& parts, const Point& point) {
     return std::any_of(parts.begin(), parts.end(), [&](const PlacedPart& part) { return part.contains(point); });
   };
   const auto in_input_units = [&](const Point& point) {
-    return Point{std::ldexp(point.x, -plan.exponent), std::ldexp(point.y, -plan.exponent)};
+    return Point{std::ldexp(point.x, -bodies.exponent), std::ldexp(point.y, -bodies.exponent)};
   };
   for (const PlacedPart& a : p) {
     for (const PlacedPart& b : q) {
@@ -229,7 +229,7 @@ std::optional<Point> found_point(const PairPlan& plan, const MotionSegment& segm
       }
     }
   }
-  for (const Point& candidate : beside_crossing(plan, segment, t, frames[0], frames[1])) {
+  for (const Point& candidate : beside_crossing(bodies, segment, t, frames[0], frames[1])) {
     if (in_some(p, candidate) && in_some(q, candidate)) return in_input_units(candidate);
   }
   return std::nullopt;
@@ -250,15 +250,15 @@ PlacedParts placed_parts(const RingSet& body, const PlacedFrame& frame) {
 
 }  // namespace
 
-std::optional<Point> common_point(const PairPlan& plan, double t) {
+std::optional<Point> common_point(const BodyPair& bodies, double t) {
   const auto frame = [&](std::size_t side) {
-    MotionChain chain = plan.common;
-    chain.insert(chain.end(), plan.motions[side].begin(), plan.motions[side].end());
+    MotionChain chain = bodies.common;
+    chain.insert(chain.end(), bodies.motions[side].begin(), bodies.motions[side].end());
     return PlacedFrame(pieces_at(chain, t), t);
   };
   const std::array<PlacedFrame, 2> frames{frame(0), frame(1)};
-  return found_point(plan, segments_of(plan, t, t).front(), t, frames, placed_parts(*plan.rings[0], frames[0]),
-                     placed_parts(*plan.rings[1], frames[1]));
+  return found_point(bodies, segments_of(bodies, t, t).front(), t, frames, placed_parts(*bodies.rings[0], frames[0]),
+                     placed_parts(*bodies.rings[1], frames[1]));
 }
 
 }  // namespace taut::internal

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "pair/pair_plan.hpp"
+#include "pair/body_pair.hpp"
 
 namespace taut::internal {
 
@@ -11,6 +11,6 @@ namespace taut::internal {
 /// coordinates and in the input's units. The bodies are those that were written, without the displacement. Nothing if
 /// none was found: an overlap can be too thin for two doubles. Linear in the number of vertices, except where the
 /// overlap is small compared with the bodies.
-std::optional<Point> common_point(const PairPlan& plan, double t);
+std::optional<Point> common_point(const BodyPair& bodies, double t);
 
 }  // namespace taut::internal

@@ -9,8 +9,8 @@ namespace {
 /// The rings of P, or Q, where they are.
 class PlacedRings {
  public:
-  PlacedRings(const PairPlan& plan, const Placement& placement, Role role)
-      : place_(placement), rings_(plan.rings[index_of(role)]->rings()), first_(placement.geometry().first(role)) {}
+  PlacedRings(const BodyPair& bodies, const Placement& placement, Role role)
+      : place_(placement), rings_(bodies.rings[index_of(role)]->rings()), first_(placement.geometry().first(role)) {}
 
   /// Of each part, its outline.
   std::vector<std::size_t> outlines() const {
@@ -57,8 +57,8 @@ class PlacedRings {
 
 }  // namespace
 
-RingMeetings ring_meetings(const PairPlan& plan, const Placement& placement) {
-  const PlacedRings p(plan, placement, Role::p), q(plan, placement, Role::q);
+RingMeetings ring_meetings(const BodyPair& bodies, const Placement& placement) {
+  const PlacedRings p(bodies, placement, Role::p), q(bodies, placement, Role::q);
   const std::vector<std::size_t> parts_p = p.outlines(), parts_q = q.outlines();
   RingMeetings result;
   for (const std::size_t i : parts_p) {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "pair/pair_plan.hpp"
+#include "pair/body_pair.hpp"
 
 namespace taut::internal {
 
@@ -27,6 +27,6 @@ struct RingMeetings {
 /// that are named cross as well, or a vertex is inside.
 ///
 /// The placement is that of the bodies of rings, displaced. Exact; throws Undecidable.
-RingMeetings ring_meetings(const PairPlan& plan, const Placement& placement);
+RingMeetings ring_meetings(const BodyPair& bodies, const Placement& placement);
 
 }  // namespace taut::internal

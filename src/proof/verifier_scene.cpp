@@ -123,10 +123,10 @@ Coverage VerifierScene::coverage() const {
   return count;
 }
 
-PairPlan VerifierScene::plan(int a, int b) const {
+BodyPair VerifierScene::pair(int a, int b) const {
   return pair_of((*this)[a].rings, (*this)[a].motions, (*this)[b].rings, (*this)[b].motions);
 }
 
-MotionSegments VerifierScene::segments(const PairPlan& pair) const { return segments_of(pair, start_, end_); }
+MotionSegments VerifierScene::segments(const BodyPair& pair) const { return segments_of(pair, start_, end_); }
 
 }  // namespace taut::internal::proof

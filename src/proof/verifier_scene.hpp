@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "pair/body_pair.hpp"
 #include "pair/ignored_pairs.hpp"
-#include "pair/pair_plan.hpp"
 #include "relative/make_segments.hpp"
 #include "taut/coverage.hpp"
 
@@ -42,9 +42,9 @@ class VerifierScene {
   /// `tested`: all pairs that are asked about.
   Coverage coverage() const;
   /// In their roles: P is the body with the larger diameter, the first one if equal.
-  PairPlan plan(int a, int b) const;
+  BodyPair pair(int a, int b) const;
   /// From start to end, in a frame that parents which both have are not in.
-  MotionSegments segments(const PairPlan& pair) const;
+  MotionSegments segments(const BodyPair& pair) const;
 
  private:
   void add_motions(const Scene& scene);

@@ -17,11 +17,11 @@ const EdgeRanges& VerifierWorld::ranges(const RingSet& body) {
 VerifierPair& VerifierWorld::pair(int a, int b) {
   std::unique_ptr<VerifierPair>& place = pairs_[{a, b}];
   if (place) return *place;
-  PairPlan plan = scene_.plan(a, b);
-  PairGeometry geometry = displaced_pair(plan, offset_);
-  MotionSegments segments = scene_.segments(plan);
-  const EdgeRanges &p = ranges(*plan.rings[0]), &q = ranges(*plan.rings[1]);
-  place = std::make_unique<VerifierPair>(std::move(plan), std::move(geometry), std::move(segments), p, q);
+  BodyPair bodies = scene_.pair(a, b);
+  PairGeometry geometry = displaced_pair(bodies, offset_);
+  MotionSegments segments = scene_.segments(bodies);
+  const EdgeRanges &p = ranges(*bodies.rings[0]), &q = ranges(*bodies.rings[1]);
+  place = std::make_unique<VerifierPair>(std::move(bodies), std::move(geometry), std::move(segments), p, q);
   return *place;
 }
 

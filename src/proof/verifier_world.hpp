@@ -16,14 +16,14 @@ namespace taut::internal::proof {
 
 /// One pair that is asked about.
 struct VerifierPair {
-  PairPlan plan;
+  BodyPair bodies;
   PairGeometry geometry;
   MotionSegments segments;
   RangedPair ranges;
 
-  VerifierPair(PairPlan pair_plan, PairGeometry displaced, MotionSegments all_segments, const EdgeRanges& p,
+  VerifierPair(BodyPair pair, PairGeometry displaced, MotionSegments all_segments, const EdgeRanges& p,
                const EdgeRanges& q)
-      : plan(std::move(pair_plan)),
+      : bodies(std::move(pair)),
         geometry(std::move(displaced)),
         segments(std::move(all_segments)),
         ranges{geometry, p, q} {}

@@ -39,9 +39,9 @@ class Verifier {
         in_(in),
         header_(header),
         shapes_(shapes_of(header)),
-        plan_(plan_pair(scene)),
-        geometry_(displaced_pair(plan_, offset_of(shapes_))),
-        segments_(segments_of(plan_, scene.start, scene.end)),
+        bodies_(pair_of(scene)),
+        geometry_(displaced_pair(bodies_, offset_of(shapes_))),
+        segments_(segments_of(bodies_, scene.start, scene.end)),
         map_(in_, Placement(geometry_, segments_[0], scene.start)),
         lifetimes_(geometry_),
         stretch_(geometry_) {
@@ -69,7 +69,7 @@ class Verifier {
 
  private:
   const MotionSegment& segment() const { return *segment_; }
-  FeatureMap witness() const { return {plan_, geometry_, offset_of(shapes_)}; }
+  FeatureMap witness() const { return {bodies_, geometry_, offset_of(shapes_)}; }
 
   /// One record; false after the last.
   bool record() {
@@ -204,11 +204,11 @@ class Verifier {
       throw ProofError("a contact at the start needs a tiling around the inward shapes, and nothing else");
     if (e.value >= geometry_.np || f.value < geometry_.np || f.value >= geometry_.size())
       throw ProofError("the edges that cross do not exist");
-    const PairGeometry outer = displaced_pair(plan_, Offset::outward);
+    const PairGeometry outer = displaced_pair(bodies_, Offset::outward);
     const Placement place(outer, segments_[0], scene_.start, Positions::on_demand);
     require_crossing(place, e, f);
     result_.contact =
-        FeatureMap(plan_, outer, Offset::outward).contact_of_overlap({true, e, f, {}}, segments_[0], scene_.start);
+        FeatureMap(bodies_, outer, Offset::outward).contact_of_overlap({true, e, f, {}}, segments_[0], scene_.start);
     result_.contact_at = ContactAt::start;
     result_.free_until = scene_.start;
     result_.outcome = Outcome::contact;
@@ -257,7 +257,7 @@ class Verifier {
   ByteReader& in_;
   const Header& header_;
   Shapes shapes_;
-  PairPlan plan_;
+  BodyPair bodies_;
   PairGeometry geometry_;
   MotionSegments segments_;
   std::shared_ptr<const MotionSegment> segment_ = segments_.hold(0);  ///< the present one

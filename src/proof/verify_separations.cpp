@@ -27,13 +27,13 @@ class SeparationsVerifier {
         in_(in),
         header_(header),
         claim_(claim_of(header)),
-        plan_(scene),
+        verifier_scene_(scene),
         margin_(read_margin()),
-        world_(plan_, claim_ == Claim::touching ? Offset::inward : offset_for(header.touch), margin_) {}
+        world_(verifier_scene_, claim_ == Claim::touching ? Offset::inward : offset_for(header.touch), margin_) {}
 
   Verified run() {
     result_.kind = ProofKind::separations;
-    result_.coverage = plan_.coverage();
+    result_.coverage = verifier_scene_.coverage();
     if (result_.coverage.is_empty()) throw ProofError(why_untested(result_.coverage));
     result_.touch = header_.touch;
     result_.fingerprint = header_.fingerprint;
@@ -60,7 +60,7 @@ class SeparationsVerifier {
   double read_margin() {
     if (!(header_.kind & with_clearance)) return 0;
     result_.clearance = in_.f64();
-    const double margin = std::ldexp(result_.clearance, plan_.exponent());
+    const double margin = std::ldexp(result_.clearance, verifier_scene_.exponent());
     if (claim_ == Claim::fine_contact || !(result_.clearance > 0 && std::isfinite(result_.clearance)) ||
         !(margin > 0x1p-900))
       throw ProofError("a clearance that makes no sense");
@@ -75,14 +75,14 @@ class SeparationsVerifier {
     if (claim_ == Claim::touching) margin_ > 0 ? close_at_start() : touching();
     if (!(result_.free_until >= scene_.start && result_.free_until <= scene_.end))
       throw ProofError("the end of the proof is not within the scene's time");
-    boxes_.emplace(plan_, world_.room());
+    boxes_.emplace(verifier_scene_, world_.room());
     window({scene_.start, result_.free_until, true}, {}, 0);
   }
 
   /// Two bodies that are asked about; the next two numbers.
   std::pair<int, int> read_pair() {
     const std::uint32_t a = in_.u32(), b = in_.u32(), n = static_cast<std::uint32_t>(scene_.bodies.size());
-    if (!(a < b && b < n) || !plan_.asked(static_cast<int>(a), static_cast<int>(b)))
+    if (!(a < b && b < n) || !verifier_scene_.asked(static_cast<int>(a), static_cast<int>(b)))
       throw ProofError("a pair of bodies that is not asked about");
     return {static_cast<int>(a), static_cast<int>(b)};
   }
@@ -97,7 +97,7 @@ class SeparationsVerifier {
     left.listed.emplace();
     // Each of them takes a byte, at least: no more are listed than the log can speak of.
     std::optional<BodyPairs> meeting;
-    if (open.all()) meeting = boxes_->meeting(plan_, static_cast<std::size_t>(in_.left()));
+    if (open.all()) meeting = boxes_->meeting(verifier_scene_, static_cast<std::size_t>(in_.left()));
     if (open.all() && !meeting)
       throw ProofError("the log is cut off: more pairs have boxes that meet than it has bytes");
     for (const auto& [a, b] : open.all() ? *meeting : *open.listed) {
@@ -124,13 +124,13 @@ class SeparationsVerifier {
   /// Reads the boxes that hold in this window; returns what they take the place of.
   std::vector<std::pair<int, BoxedBody>> stated_boxes(const WorldTime& time, const OpenPairs& open) {
     std::vector<std::pair<int, BoxedBody>> before;
-    for (const int body : moving_bodies(plan_, open)) {
+    for (const int body : moving_bodies(verifier_scene_, open)) {
       checkpoint();
       const std::uint8_t stated = in_.u8();
       if (stated > 1) throw ProofError("neither a box nor none");
       if (stated == 0) continue;
       const StatedBox box = read_box(in_);
-      if (!stays_within(plan_[body], time, world_.room(), box))
+      if (!stays_within(verifier_scene_[body], time, world_.room(), box))
         throw ProofError("body " + std::to_string(body) + " does not stay within its box");
       before.emplace_back(body, boxes_->of(body));
       boxes_->state(body, as_doubles(box));
@@ -210,7 +210,7 @@ class SeparationsVerifier {
   }
 
   void conclude_closer(const VerifierPair& pair, VertexId vertex, VertexId peer, bool is_edge, double until) {
-    const FeatureMap witness(pair.plan, pair.geometry, world_.offset());
+    const FeatureMap witness(pair.bodies, pair.geometry, world_.offset());
     ProvedCloseness found;
     found.features.vertex = witness.vertex(vertex);
     if (is_edge) found.features.edge = witness.edge(peer);
@@ -228,7 +228,7 @@ class SeparationsVerifier {
     const VertexId vertex = read_vertex(pair), peer = read_vertex(pair);
     const std::uint8_t is_edge = in_.u8();
     if (pair.geometry.same_body(vertex, peer) || is_edge > 1) throw ProofError("a closeness that cannot be");
-    const PairGeometry outer = displaced_pair(pair.plan, Offset::outward);
+    const PairGeometry outer = displaced_pair(pair.bodies, Offset::outward);
     if (!closer_at(outer, pair.segments[0], margin_, {vertex, peer}, is_edge == 1, {scene_.start, 0, 0}))
       throw ProofError("the two features are not as close as the clearance at the start");
     result_.contact_at = ContactAt::start;
@@ -243,7 +243,7 @@ class SeparationsVerifier {
   }
 
   void conclude(const VerifierPair& pair, const Incidence& hit, const MotionSegment& segment, const Instant& tight) {
-    result_.contact = FeatureMap(pair.plan, pair.geometry, world_.offset())
+    result_.contact = FeatureMap(pair.bodies, pair.geometry, world_.offset())
                           .contact({hit.vertex, hit.edge, tight.lo, std::min(tight.hi, segment.end)}, segment);
     TimeInterval& time = result_.contact->time;
     time.lo = std::max(time.lo, scene_.start);
@@ -264,7 +264,7 @@ class SeparationsVerifier {
     const VerifierPair& pair = world_.pair(a, b);
     const std::uint8_t how = in_.u8();
     const VertexId e = read_vertex(pair), f = read_vertex(pair);
-    const PairGeometry outer = displaced_pair(pair.plan, Offset::outward);
+    const PairGeometry outer = displaced_pair(pair.bodies, Offset::outward);
     const Placement place(outer, pair.segments[0], scene_.start, Positions::on_demand);
     const StartOverlap overlap{how == 0, outer.in_p(e) ? e : f, outer.in_p(e) ? f : e, e};
     if (overlap.crossing) {
@@ -273,7 +273,7 @@ class SeparationsVerifier {
       throw ProofError("the vertex is not inside the other body");
     }
     result_.contact =
-        FeatureMap(pair.plan, outer, Offset::outward).contact_of_overlap(overlap, pair.segments[0], scene_.start);
+        FeatureMap(pair.bodies, outer, Offset::outward).contact_of_overlap(overlap, pair.segments[0], scene_.start);
     result_.contact_at = ContactAt::start;
     result_.free_until = scene_.start;
   }
@@ -283,7 +283,7 @@ class SeparationsVerifier {
   const Header& header_;
   Verified result_;
   Claim claim_;
-  VerifierScene plan_;
+  VerifierScene verifier_scene_;
   double margin_;  ///< of a claim about a clearance, else 0
   VerifierWorld world_;
   std::optional<WindowBoxes> boxes_;

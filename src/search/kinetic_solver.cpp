@@ -18,15 +18,15 @@ constexpr std::uint64_t work_of_vertex = 16;
 
 }  // namespace
 
-KineticSolver::KineticSolver(const WorldPlan& world, int a, int b, Offset offset, EventBudget& budget,
+KineticSolver::KineticSolver(const Instance& world, int a, int b, Offset offset, EventBudget& budget,
                              KineticObserver* observer)
     : world_(world),
       offset_(offset),
       budget_(budget),
       observer_(observer),
-      plan_(world.pair(a, b)),
-      geometry_(displaced_pair(plan_, offset)),
-      segments_(world.segments(plan_)) {
+      bodies_(world.pair(a, b)),
+      geometry_(displaced_pair(bodies_, offset)),
+      segments_(world.segments(bodies_)) {
   result_.a = std::min(a, b);
   result_.b = std::max(a, b);
   result_.free_until = world.end();
@@ -49,7 +49,7 @@ void KineticSolver::resolve_start() {
   if (!engines_->overlap()) return;
   const auto how = [&] { return overlap_of_outlines(geometry_, segment, start, engines_->inside()); };
   const auto overlap_of = [&](const PairGeometry& shapes) {
-    return RingEngines(plan_, shapes, Offset::inward, segments_).overlap();
+    return RingEngines(bodies_, shapes, Offset::inward, segments_).overlap();
   };
   take_start(contact_at_start(features(), segment, start, how, overlap_of), start, result_);
   engines_.reset();
@@ -57,9 +57,9 @@ void KineticSolver::resolve_start() {
 
 void KineticSolver::begin(double from) {
   leave();
-  engines_ = std::make_unique<RingEngines>(plan_, geometry_, offset_,
-                                           from == world_.start() ? segments_ : segments_of(plan_, from, world_.end()),
-                                           engine_observer());
+  engines_ = std::make_unique<RingEngines>(
+      bodies_, geometry_, offset_, from == world_.start() ? segments_ : segments_of(bodies_, from, world_.end()),
+      engine_observer());
   at_ = window_ = from;
 }
 

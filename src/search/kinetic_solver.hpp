@@ -6,7 +6,7 @@
 #include "kinetic/ring_engines.hpp"
 #include "search/pair_solver.hpp"
 #include "taut/simulation.hpp"
-#include "world/world_plan.hpp"
+#include "world/instance.hpp"
 
 namespace taut::internal {
 
@@ -35,7 +35,7 @@ class KineticSolver final : public PairSolver, private EngineObserver {
  public:
   /// The world, the budget, and the observer of events, which may be null, must outlive this object. Throws InputError
   /// if a body has features that are finer than the displacement.
-  KineticSolver(const WorldPlan& world, int a, int b, Offset offset, EventBudget& budget,
+  KineticSolver(const Instance& world, int a, int b, Offset offset, EventBudget& budget,
                 KineticObserver* observer = nullptr);
 
   void ask_start() override;
@@ -45,10 +45,10 @@ class KineticSolver final : public PairSolver, private EngineObserver {
   std::optional<ContactInstant> instant() const override { return instant_of(result_, segments_, geometry_); }
   StageCounts stages() const override;
   KineticCounts counts() const override;
-  const PairPlan& plan() const { return plan_; }
+  const BodyPair& bodies() const { return bodies_; }
   const PairGeometry& geometry() const { return geometry_; }
   const MotionSegments& segments() const { return segments_; }
-  FeatureMap features() const { return {plan_, geometry_, offset_}; }
+  FeatureMap features() const { return {bodies_, geometry_, offset_}; }
   /// The time up to which the current tilings have been followed.
   double at() const { return at_; }
   /// The current tilings; null before the first window, and where the bodies overlap.
@@ -67,11 +67,11 @@ class KineticSolver final : public PairSolver, private EngineObserver {
   void note_contact();
   void give_up(const std::string& reason, double until);
 
-  const WorldPlan& world_;
+  const Instance& world_;
   Offset offset_;
   EventBudget& budget_;
   KineticObserver* observer_;
-  PairPlan plan_;
+  BodyPair bodies_;
   PairGeometry geometry_;
   MotionSegments segments_;  ///< from the world's start
   std::unique_ptr<RingEngines> engines_;

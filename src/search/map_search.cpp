@@ -16,7 +16,7 @@ constexpr int deepest_halving = 30;
 
 }  // namespace
 
-MapSearch::MapSearch(const MapBodies& bodies, WorldBody mover, double start, double end, Offset offset)
+MapSearch::MapSearch(const MapBodies& bodies, InstanceBody mover, double start, double end, Offset offset)
     : bodies_(bodies),
       mover_(std::move(mover)),
       start_(start),
@@ -26,27 +26,29 @@ MapSearch::MapSearch(const MapBodies& bodies, WorldBody mover, double start, dou
       stop_(end),
       proved_(start) {}
 
-const SharedSegments& MapSearch::segments(const PairPlan& plan) {
-  SharedSegments& known = segments_[plan.rings[1] == mover_.rings ? 1 : 0];
-  if (!known) known = std::make_shared<const MotionSegments>(segments_of(plan, start_, end_));
+const SharedSegments& MapSearch::segments(const BodyPair& bodies) {
+  SharedSegments& known = segments_[bodies.rings[1] == mover_.rings ? 1 : 0];
+  if (!known) known = std::make_shared<const MotionSegments>(segments_of(bodies, start_, end_));
   return known;
 }
 
 SpacetimeSolver& MapSearch::pair(int body) {
   std::unique_ptr<SpacetimeSolver>& place = pairs_[body];
   if (!place) {
-    PairPlan roles = plan(body);
+    BodyPair roles = bodies_with(body);
     const SharedSegments& all = segments(roles);
     place = std::make_unique<SpacetimeSolver>(PairInstance(std::move(roles), all, offset_), offset_, start_, end_);
   }
   return *place;
 }
 
-PairPlan MapSearch::plan(int body) const {
+BodyPair MapSearch::bodies_with(int body) const {
   return pair_of(bodies_.rings[static_cast<std::size_t>(body)], {}, mover_.rings, mover_.motions);
 }
 
-std::optional<Point> MapSearch::common_point(int body) const { return internal::common_point(plan(body), start_); }
+std::optional<Point> MapSearch::common_point(int body) const {
+  return internal::common_point(bodies_with(body), start_);
+}
 
 bool MapSearch::start() {
   std::vector<int> near;

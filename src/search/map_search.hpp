@@ -27,7 +27,7 @@ struct MapBodies {
 class MapSearch {
  public:
   /// The motion is that of the mover, scaled, on [start, end]. `bodies` must outlive the search.
-  MapSearch(const MapBodies& bodies, WorldBody mover, double start, double end, Offset offset);
+  MapSearch(const MapBodies& bodies, InstanceBody mover, double start, double end, Offset offset);
 
   /// Determines overlaps, and contacts, at the start. Returns false if nothing is left to search.
   bool start();
@@ -48,12 +48,12 @@ class MapSearch {
 
  private:
   SpacetimeSolver& pair(int body);
-  PairPlan plan(int body) const;
-  const SharedSegments& segments(const PairPlan& plan);
+  BodyPair bodies_with(int body) const;
+  const SharedSegments& segments(const BodyPair& bodies);
   void cover(double from, double to, int depth);
 
   const MapBodies& bodies_;
-  WorldBody mover_;
+  InstanceBody mover_;
   double start_, end_;
   Offset offset_;
   double size_;  ///< of the mover's box at rest

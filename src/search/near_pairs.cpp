@@ -17,11 +17,11 @@ std::vector<int> in_order(const std::unordered_set<int>& bodies) {
 }  // namespace
 
 void NearPairs::begin(double from) {
-  std::vector<int> all(plan_.bodies().size());
+  std::vector<int> all(instance_.bodies().size());
   std::iota(all.begin(), all.end(), 0);
   stack_.clear();
   from_ = from;
-  descend(from, plan_.end(), std::move(all));
+  descend(from, instance_.end(), std::move(all));
 }
 
 void NearPairs::next() {
@@ -38,7 +38,7 @@ void NearPairs::descend(double from, double to, std::vector<int> bodies) {
     const double middle = from + (to - from) / 2;
     const bool divisible = from < middle && middle < to && stack_.size() < static_cast<std::size_t>(most_halvings);
     Window window{middle, to, divisible, {}, {}, {}};
-    MeetingBoxes boxes(plan_, bodies, from, to);
+    MeetingBoxes boxes(instance_, bodies, from, to);
     boxes.each([&](int a, int b, bool longer) {
       if (has(a, b)) return;
       if (divisible && longer) {
@@ -65,7 +65,7 @@ void NearPairs::change(const std::vector<int>& changed, double from) {
   std::vector<int> entering = changed;
   for (Window& window : stack_) {
     for (const int body : entering)
-      window.boxes.set(body, swept_box(plan_.bodies()[static_cast<std::size_t>(body)], from, window.to));
+      window.boxes.set(body, swept_box(instance_.bodies()[static_cast<std::size_t>(body)], from, window.to));
     std::vector<int> deeper;
     for (const int body : entering) {
       if (std::binary_search(changed.begin(), changed.end(), body)) look(body, window, deeper);
@@ -83,8 +83,8 @@ void NearPairs::look(int body, Window& window, std::vector<int>& deeper) {
   const SweptBox box = window.boxes.box(body);
   for (const int other : window.boxes.find(box)) {
     checkpoint();
-    if (other == body || !plan_.asked(body, other) || has(body, other)) continue;
-    if (!window.divisible || !is_long(plan_, body, box, other, window.boxes.box(other))) {
+    if (other == body || !instance_.asked(body, other) || has(body, other)) continue;
+    if (!window.divisible || !is_long(instance_, body, box, other, window.boxes.box(other))) {
       add(window, body, other);
       continue;
     }

@@ -19,7 +19,7 @@ namespace taut::internal {
 class NearPairs {
  public:
   /// The plan must outlive this object.
-  explicit NearPairs(const WorldPlan& plan) : plan_(plan) {}
+  explicit NearPairs(const Instance& instance) : instance_(instance) {}
 
   /// Begins, with all bodies, at that time.
   void begin(double from);
@@ -29,7 +29,7 @@ class NearPairs {
   /// The current window; it ends with the world, or before.
   double from() const { return from_; }
   double until() const { return stack_.back().to; }
-  bool last() const { return !(until() < plan_.end()); }
+  bool last() const { return !(until() < instance_.end()); }
   /// Proceeds to the next window.
   void next();
 
@@ -66,7 +66,7 @@ class NearPairs {
   static void add(Window& window, int a, int b);
   static void forget(Window& window, int body);
 
-  const WorldPlan& plan_;
+  const Instance& instance_;
   double from_ = 0;
   std::vector<Window> stack_;
 };

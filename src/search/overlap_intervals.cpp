@@ -26,42 +26,47 @@ struct Cluster {
 
 class IntervalSearch {
  public:
-  IntervalSearch(const WorldPlan& plan, int a, int b, const std::vector<TimeInterval>& near, Offset offset,
+  IntervalSearch(const Instance& instance, int a, int b, const std::vector<TimeInterval>& near, Offset offset,
                  bool precisely)
-      : plan_(plan), near_(near), precisely_(precisely), pair_(plan, a, b, offset), offset_(offset), bodies_{a, b} {}
+      : instance_(instance),
+        near_(near),
+        precisely_(precisely),
+        pair_(instance, a, b, offset),
+        offset_(offset),
+        bodies_{a, b} {}
 
   std::vector<OverlapInterval> run() {
     find_clusters();
-    bool inside = near_.front().lo == plan_.start() && overlapping_at(plan_.start());
-    if (inside) begin_at(plan_.start());
+    bool inside = near_.front().lo == instance_.start() && overlapping_at(instance_.start());
+    if (inside) begin_at(instance_.start());
     for (std::size_t i = 0; i < clusters_.size(); ++i) {
       checkpoint();
       Cluster& c = clusters_[i];
-      const double next = i + 1 < clusters_.size() ? clusters_[i + 1].lo : plan_.end();
+      const double next = i + 1 < clusters_.size() ? clusters_[i + 1].lo : instance_.end();
       // If crossings extend to the very end, no later instant is left. They need not be counted: a corner that leaves
       // may leave others inside, and of two crossings in one double only one is known.
-      const bool after = overlapping_at(c.hi < next ? c.hi + (next - c.hi) / 2 : plan_.end());
+      const bool after = overlapping_at(c.hi < next ? c.hi + (next - c.hi) / 2 : instance_.end());
       if (!inside || !after) tighten_ends(c);
       // The bodies are free on both sides of a crossing: an overlap shorter than doubles resolve.
       if (!inside) begin(c);
       if (!after) end(c);
       inside = after;
     }
-    if (inside) found_.back().to = {plan_.end(), plan_.end()};
+    if (inside) found_.back().to = {instance_.end(), instance_.end()};
     return std::move(found_);
   }
 
  private:
   std::vector<spacetime::TimeWindow> windows() const {
     std::vector<spacetime::TimeWindow> windows;
-    for (const TimeInterval& s : near_) windows.push_back({s.lo, s.hi, s.lo == plan_.start()});
+    for (const TimeInterval& s : near_) windows.push_back({s.lo, s.hi, s.lo == instance_.start()});
     return windows;
   }
   double time(const SegmentCrossing& c, double parameter) const {
-    return std::clamp(pair_.segments()[c.segment].time(parameter), plan_.start(), plan_.end());
+    return std::clamp(pair_.segments()[c.segment].time(parameter), instance_.start(), instance_.end());
   }
   /// Some double must lie strictly between, at which the overlap can be evaluated.
-  bool apart(double before, double after) const { return std::nextafter(before, plan_.end()) < after; }
+  bool apart(double before, double after) const { return std::nextafter(before, instance_.end()) < after; }
   static void sort(std::span<SegmentCrossing> some) {
     std::stable_sort(some.begin(), some.end(), [](const SegmentCrossing& a, const SegmentCrossing& b) {
       return std::pair(a.segment, a.lo) < std::pair(b.segment, b.lo);
@@ -79,7 +84,7 @@ class IntervalSearch {
       for (k = i + 1; k < all.size() && !apart(hi, time(all[k], all[k].lo)); ++k)
         hi = std::max(hi, time(all[k], all[k].hi));
       // Most crossings are isolated, and lie between others within an overlap. Precise instants are expensive.
-      if (k > i + 1 || !(hi < plan_.end())) tighten_all({all.data() + i, k - i});
+      if (k > i + 1 || !(hi < instance_.end())) tighten_all({all.data() + i, k - i});
       add({all.data() + i, k - i});
     }
   }
@@ -120,9 +125,9 @@ class IntervalSearch {
     return spacetime::overlapping(pair_.geometry, pair_.trees(), *segments.hold(k), t).has_value();
   }
   Contact contact_of(const SegmentCrossing& c, Passage passage) const {
-    Contact contact = FeatureMap(pair_.plan, pair_.geometry, offset_)
+    Contact contact = FeatureMap(pair_.bodies, pair_.geometry, offset_)
                           .contact({c.vertex, c.edge, c.lo, c.hi}, pair_.segments()[c.segment], passage);
-    contact.time = {std::max(contact.time.lo, plan_.start()), std::min(contact.time.hi, plan_.end())};
+    contact.time = {std::max(contact.time.lo, instance_.start()), std::min(contact.time.hi, instance_.end())};
     return contact;
   }
   /// Encloses the time for the given bodies. If the displaced ones cross several times, it includes all crossings.
@@ -150,7 +155,7 @@ class IntervalSearch {
     found_.back().to = bracket_of(c, *found_.back().exit, Passage::leaves);
   }
 
-  const WorldPlan& plan_;
+  const Instance& instance_;
   const std::vector<TimeInterval>& near_;
   bool precisely_;
   PairInstance pair_;
@@ -162,10 +167,10 @@ class IntervalSearch {
 
 }  // namespace
 
-std::vector<OverlapInterval> overlap_intervals(const WorldPlan& plan, int a, int b,
+std::vector<OverlapInterval> overlap_intervals(const Instance& instance, int a, int b,
                                                const std::vector<TimeInterval>& near, Offset offset, bool precisely) {
   if (near.empty()) return {};
-  return IntervalSearch(plan, a, b, near, offset, precisely).run();
+  return IntervalSearch(instance, a, b, near, offset, precisely).run();
 }
 
 }  // namespace taut::internal

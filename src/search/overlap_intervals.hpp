@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "taut/intervals.hpp"
-#include "world/world_plan.hpp"
+#include "world/instance.hpp"
 
 namespace taut::internal {
 
@@ -14,7 +14,7 @@ namespace taut::internal {
 /// disjoint. With `precisely`, every crossing is enclosed to within a few ulps before they are ordered, not only those
 /// that end intervals or that rougher enclosures do not separate. If several occur at one instant, the one named by an
 /// interval may depend on this. Throws Undecidable.
-std::vector<OverlapInterval> overlap_intervals(const WorldPlan& plan, int a, int b,
+std::vector<OverlapInterval> overlap_intervals(const Instance& instance, int a, int b,
                                                const std::vector<TimeInterval>& near, Offset offset, bool precisely);
 
 }  // namespace taut::internal

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "spacetime/first_contact.hpp"
-#include "world/world_plan.hpp"
+#include "world/instance.hpp"
 
 namespace taut::internal {
 
@@ -16,13 +16,13 @@ const spacetime::Hierarchy& tree_of(const RingSet& rings, Offset offset);
 
 struct PairInstance {
   /// Throws InputError if a body has features that are finer than the displacement.
-  PairInstance(PairPlan pair, SharedSegments all_segments, Offset offset);
-  PairInstance(const WorldPlan& world, int a, int b, Offset offset);
+  PairInstance(BodyPair pair, SharedSegments all_segments, Offset offset);
+  PairInstance(const Instance& world, int a, int b, Offset offset);
 
   spacetime::TreePair trees() const { return {tree_p, tree_q}; }
   const MotionSegments& segments() const { return *shared_segments; }
 
-  PairPlan plan;
+  BodyPair bodies;
   PairGeometry geometry;
   SharedSegments shared_segments;
   const spacetime::Hierarchy &tree_p, &tree_q;

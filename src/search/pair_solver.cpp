@@ -10,7 +10,7 @@ namespace taut::internal {
 
 SpacetimeSolver::SpacetimeSolver(PairInstance search, Offset offset, double start, double end)
     : search_(std::move(search)), offset_(offset), start_(start), end_(end) {
-  const int p = search_.plan.rings[0]->body(), q = search_.plan.rings[1]->body();
+  const int p = search_.bodies.rings[0]->body(), q = search_.bodies.rings[1]->body();
   result_.a = std::min(p, q);
   result_.b = std::max(p, q);
   result_.free_until = end;
@@ -33,7 +33,7 @@ void SpacetimeSolver::resolve_start() {
   const auto overlap_of = [&](const PairGeometry& shapes) {
     return spacetime::overlapping(shapes, segment, start_).has_value();
   };
-  const FeatureMap witness(search_.plan, search_.geometry, offset_);
+  const FeatureMap witness(search_.bodies, search_.geometry, offset_);
   take_start(contact_at_start(
                  witness, segment, start_, [&] { return *overlap; }, overlap_of),
              start_, result_);
@@ -80,7 +80,7 @@ void SpacetimeSolver::note(const spacetime::SpacetimeResult& found) {
   const MotionSegment& segment = search_.segments()[found.segment];
   PairResult result = result_;
   if (found.outcome == spacetime::SpacetimeResult::contact) {
-    result = contact_of(result_, FeatureMap(search_.plan, search_.geometry, offset_), segment, found.segment,
+    result = contact_of(result_, FeatureMap(search_.bodies, search_.geometry, offset_), segment, found.segment,
                         found.found, start_);
   } else {
     result.outcome = Outcome::undecided;

@@ -7,14 +7,14 @@
 namespace taut::internal {
 namespace {
 
-SpacetimeSolver by_spacetime(const WorldPlan& world, int a, int b, Offset offset) {
+SpacetimeSolver by_spacetime(const Instance& world, int a, int b, Offset offset) {
   return {PairInstance(world, std::min(a, b), std::max(a, b), offset), offset, world.start(), world.end()};
 }
 
 /// Runs both engines to the end, to compare them.
 class CrossCheckSolver final : public PairSolver {
  public:
-  CrossCheckSolver(const WorldPlan& world, int a, int b, Offset offset, EventBudget& budget, KineticObserver* observer)
+  CrossCheckSolver(const Instance& world, int a, int b, Offset offset, EventBudget& budget, KineticObserver* observer)
       : kinetic_(world, a, b, offset, budget, observer), spacetime_(by_spacetime(world, a, b, offset)) {}
 
   void ask_start() override {
@@ -41,7 +41,7 @@ class CrossCheckSolver final : public PairSolver {
 /// of the spacetime engine, and never get a tiling.
 class PortfolioSolver final : public PairSolver {
  public:
-  PortfolioSolver(const SolverChoice& choice, const WorldPlan& world, int a, int b, Offset offset, EventBudget& budget)
+  PortfolioSolver(const SolverChoice& choice, const Instance& world, int a, int b, Offset offset, EventBudget& budget)
       : choice_(choice),
         world_(world),
         offset_(offset),
@@ -101,7 +101,7 @@ class PortfolioSolver final : public PairSolver {
   }
 
   SolverChoice choice_;
-  const WorldPlan& world_;
+  const Instance& world_;
   Offset offset_;
   EventBudget& budget_;
   SpacetimeSolver spacetime_;
@@ -112,7 +112,7 @@ class PortfolioSolver final : public PairSolver {
 
 }  // namespace
 
-std::unique_ptr<PairSolver> pair_solver(const SolverChoice& choice, const WorldPlan& world, int a, int b, Offset offset,
+std::unique_ptr<PairSolver> pair_solver(const SolverChoice& choice, const Instance& world, int a, int b, Offset offset,
                                         EventBudget& budget) {
   switch (choice.engine) {
     case EngineChoice::kinetic:

@@ -19,7 +19,7 @@ struct SolverChoice {
 
 /// The two bodies with the given engine, with both, or with both in alternating slices, which start again in each
 /// window. The arguments must outlive the solver.
-std::unique_ptr<PairSolver> pair_solver(const SolverChoice& choice, const WorldPlan& world, int a, int b, Offset offset,
+std::unique_ptr<PairSolver> pair_solver(const SolverChoice& choice, const Instance& world, int a, int b, Offset offset,
                                         EventBudget& budget);
 
 }  // namespace taut::internal

@@ -5,7 +5,7 @@
 
 namespace taut::internal {
 
-VerticesAtPose::VerticesAtPose(const WorldBody& body, double t, Offset offset)
+VerticesAtPose::VerticesAtPose(const InstanceBody& body, double t, Offset offset)
     : polygon_(body.rings->displaced(offset)), chain_(pieces_at(body.motions, t)), t_(t) {
   turned_ = turns(chain_);
   const Pose<double> pose = pose_of<Jet<double>>(chain_, Ball<double>::exact(t));

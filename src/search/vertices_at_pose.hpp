@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "geometry/vector.hpp"
-#include "world/world_plan.hpp"
+#include "world/instance.hpp"
 
 namespace taut::internal {
 
@@ -15,7 +15,7 @@ namespace taut::internal {
 /// The pose is computed once for each precision, so an object must be used by one thread only.
 class VerticesAtPose {
  public:
-  VerticesAtPose(const WorldBody& body, double t, Offset offset);
+  VerticesAtPose(const InstanceBody& body, double t, Offset offset);
 
   const DisplacedPolygon& polygon() const { return *polygon_; }
   /// Rounded; each coordinate has an error of at most error().

@@ -21,15 +21,15 @@ struct WorldSearch::DecidedPairs {
   bool any() const { return !pairs.empty() || (above && above->any()); }
 };
 
-WorldSearch::WorldSearch(const WorldPlan& plan, Touch touch, bool all, const SolverChoice& choice,
+WorldSearch::WorldSearch(const Instance& instance, Touch touch, bool all, const SolverChoice& choice,
                          std::uint64_t max_events)
-    : plan_(plan),
+    : instance_(instance),
       offset_(offset_for(touch)),
       all_(all),
       choice_(choice),
       budget_(max_events),
-      stop_(plan.end()),
-      proved_(plan.start()) {}
+      stop_(instance.end()),
+      proved_(instance.start()) {}
 
 WorldSearch::~WorldSearch() = default;
 
@@ -37,7 +37,7 @@ PairSolver& WorldSearch::pair(int a, int b) {
   const std::pair<int, int> key(std::min(a, b), std::max(a, b));
   auto known = pairs_.find(key);
   // Constructed first, because a limit may interrupt that.
-  if (known == pairs_.end()) known = pairs_.emplace(key, pair_solver(choice_, plan_, a, b, offset_, budget_)).first;
+  if (known == pairs_.end()) known = pairs_.emplace(key, pair_solver(choice_, instance_, a, b, offset_, budget_)).first;
   return *known->second;
 }
 
@@ -47,32 +47,32 @@ bool WorldSearch::start() {
     only.ask_start();
     return only.open();
   }
-  std::vector<int> bodies(plan_.bodies().size());
+  std::vector<int> bodies(instance_.bodies().size());
   std::iota(bodies.begin(), bodies.end(), 0);
-  MeetingBoxes(plan_, bodies, plan_.start(), plan_.start()).each([&](int a, int b, bool) {
+  MeetingBoxes(instance_, bodies, instance_.start(), instance_.start()).each([&](int a, int b, bool) {
     PairSolver& met = pair(a, b);
     met.ask_start();
-    if (!met.open()) stop_ = plan_.start();
+    if (!met.open()) stop_ = instance_.start();
   });
-  return all_ || stop_ > plan_.start();
+  return all_ || stop_ > instance_.start();
 }
 
 /// Nothing happens after the start to bodies that move alike.
 void WorldSearch::search_single_pair() {
-  if (plan_.bodies()[0].group == plan_.bodies()[1].group) return;
-  pair(0, 1).ask(plan_.start(), plan_.end());
+  if (instance_.bodies()[0].group == instance_.bodies()[1].group) return;
+  pair(0, 1).ask(instance_.start(), instance_.end());
 }
 
 void WorldSearch::run() {
   if (is_single_pair()) {
     search_single_pair();
-    proved_ = plan_.end();
+    proved_ = instance_.end();
     return;
   }
-  std::vector<int> bodies(plan_.bodies().size());
+  std::vector<int> bodies(instance_.bodies().size());
   std::iota(bodies.begin(), bodies.end(), 0);
-  cover(plan_.start(), plan_.end(), bodies, nullptr, 0);
-  proved_ = plan_.end();
+  cover(instance_.start(), instance_.end(), bodies, nullptr, 0);
+  proved_ = instance_.end();
 }
 
 void WorldSearch::cover(double from, double to, const std::vector<int>& bodies, const DecidedPairs* above, int depth) {
@@ -87,7 +87,7 @@ void WorldSearch::cover(double from, double to, const std::vector<int>& bodies, 
   DecidedPairs here{above, {}};
   std::vector<std::pair<int, int>> now;
   std::unordered_set<int> again;
-  MeetingBoxes(plan_, bodies, from, to).each_moving([&](int a, int b, bool longer) {
+  MeetingBoxes(instance_, bodies, from, to).each_moving([&](int a, int b, bool longer) {
     const std::uint64_t key = DecidedPairs::key(a, b);
     if (above && above->has(key)) return;
     if (divisible && longer) {

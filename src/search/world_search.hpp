@@ -21,7 +21,7 @@ class WorldSearch {
  public:
   /// With `all`, every pair continues to its own first contact. Otherwise, events after the first contact do not
   /// matter.
-  WorldSearch(const WorldPlan& plan, Touch touch, bool all, const SolverChoice& choice,
+  WorldSearch(const Instance& instance, Touch touch, bool all, const SolverChoice& choice,
               std::uint64_t max_events = UINT64_MAX);
   ~WorldSearch();
 
@@ -44,13 +44,13 @@ class WorldSearch {
  private:
   struct DecidedPairs;
   PairSolver& pair(int a, int b);
-  bool is_single_pair() const { return plan_.bodies().size() == 2; }
+  bool is_single_pair() const { return instance_.bodies().size() == 2; }
   void search_single_pair();
   void cover(double from, double to, const std::vector<int>& bodies, const DecidedPairs* above, int depth);
   void settle(PairSolver& pair, double from, double to);
   bool over(double t) const { return !all_ && t > stop_; }
 
-  const WorldPlan& plan_;
+  const Instance& instance_;
   Offset offset_;
   bool all_;
   SolverChoice choice_;

@@ -22,11 +22,11 @@ std::optional<Arena> make_arena(const Polygon& a, const Polygon& b) {
   Scene scene;
   scene.bodies = {{"a", a, {}}, {"b", b, {}}};
   std::optional<Arena> arena(std::in_place);
-  arena->plan = plan_pair(scene);
-  std::optional<PairGeometry> geometry = displaced_pair_if_possible(arena->plan, Offset::inward);
+  arena->bodies = pair_of(scene);
+  std::optional<PairGeometry> geometry = displaced_pair_if_possible(arena->bodies, Offset::inward);
   if (!geometry) return std::nullopt;
   arena->geometry = std::move(*geometry);
-  const MotionSegments segments = segments_of(arena->plan, 0, 0);
+  const MotionSegments segments = segments_of(arena->bodies, 0, 0);
   const Placement placement(arena->geometry, segments.front(), 0);
   if (triangulate_free_space(placement, arena->triangulation, true)) return std::nullopt;
   const PairGeometry& g = arena->geometry;

@@ -5,15 +5,15 @@
 #include <optional>
 #include <vector>
 
-#include "pair/pair_plan.hpp"
+#include "pair/body_pair.hpp"
 #include "tiling/free_triangulation.hpp"
 
 namespace taut::internal {
 
-/// Two disjoint polygons at rest. Coordinates are scaled as in PairPlan; the free space is triangulated inside a box,
+/// Two disjoint polygons at rest. Coordinates are scaled as in BodyPair; the free space is triangulated inside a box,
 /// whose corners are vertices size() .. size()+3.
 struct Arena {
-  PairPlan plan;
+  BodyPair bodies;
   PairGeometry geometry;
   std::vector<Point> points;  ///< of P, of Q, and of the box
   FreeTriangulation triangulation;

@@ -9,7 +9,7 @@
 #include "motion/pieces.hpp"
 #include "motion/pose.hpp"
 #include "numeric/undecided.hpp"
-#include "pair/pair_plan.hpp"
+#include "pair/body_pair.hpp"
 #include "pair/placement.hpp"
 #include "pair/validate_scene.hpp"
 #include "separator/arena.hpp"
@@ -31,7 +31,7 @@ constexpr double tried_margins[] = {0x1p-7, 0x1p-9, 0x1p-12, 0x1p-16, 0x1p-22, 0
 
 VertexRef input_vertex(const Arena& arena, VertexId v) {
   const int side = arena.owner(v);
-  return arena.plan.rings[static_cast<std::size_t>(side)]->vertex(side == 0 ? v.value : v.value - arena.geometry.np);
+  return arena.bodies.rings[static_cast<std::size_t>(side)]->vertex(side == 0 ? v.value : v.value - arena.geometry.np);
 }
 
 int mixed_edges(const Arena& arena, const std::vector<VertexId>& cycle) {
@@ -63,7 +63,7 @@ std::vector<VertexId> contact_path(const Arena& arena) {
 MovingSeparator moving_separator(const Arena& arena) {
   MovingSeparator moving;
   for (std::size_t side = 0; side < 2; ++side) {
-    const auto body = static_cast<std::size_t>(arena.plan.rings[side]->body());
+    const auto body = static_cast<std::size_t>(arena.bodies.rings[side]->body());
     for (const VertexId v : arena.hulls[side]) moving.hulls[body].push_back(input_vertex(arena, v));
     moving.bichromatic_edges[body] = mixed_edges(arena, arena.hulls[side]);
   }
@@ -76,11 +76,11 @@ MovingSeparator moving_separator(const Arena& arena) {
 }
 
 /// The scaled polygon that plays this role.
-const Polygon& polygon_of(const PairPlan& plan, Role role) { return plan.rings[index_of(role)]->points(0); }
+const Polygon& polygon_of(const BodyPair& bodies, Role role) { return bodies.rings[index_of(role)]->points(0); }
 
-std::vector<Point> both(const PairPlan& plan) {
-  std::vector<Point> all = polygon_of(plan, Role::p);
-  const Polygon& q = polygon_of(plan, Role::q);
+std::vector<Point> both(const BodyPair& bodies) {
+  std::vector<Point> all = polygon_of(bodies, Role::p);
+  const Polygon& q = polygon_of(bodies, Role::q);
   all.insert(all.end(), q.begin(), q.end());
   return all;
 }
@@ -93,12 +93,13 @@ Polygon grown(const Polygon& polygon, double margin) {
 }
 
 /// A curve around polygons that are a little larger, if they are still apart, in this plan's coordinates.
-std::optional<Curve> curve_at_distance(const PairPlan& plan, double margin) {
+std::optional<Curve> curve_at_distance(const BodyPair& bodies, double margin) {
   const std::optional<Arena> wide =
-      make_arena(grown(polygon_of(plan, Role::p), margin), grown(polygon_of(plan, Role::q), margin));
+      make_arena(grown(polygon_of(bodies, Role::p), margin), grown(polygon_of(bodies, Role::q), margin));
   if (!wide) return std::nullopt;
-  Curve curve = curve_of(link_bound(*wide).path, both(wide->plan));
-  for (Point& v : curve.vertices) v = {std::ldexp(v.x, -wide->plan.exponent), std::ldexp(v.y, -wide->plan.exponent)};
+  Curve curve = curve_of(link_bound(*wide).path, both(wide->bodies));
+  for (Point& v : curve.vertices)
+    v = {std::ldexp(v.x, -wide->bodies.exponent), std::ldexp(v.y, -wide->bodies.exponent)};
   return curve;
 }
 
@@ -111,27 +112,27 @@ Curve hull_curve(const Arena& arena, std::size_t side) {
 }
 
 MinimumLinkSeparator minimum_link_separator(const Arena& arena) {
-  const PairPlan& plan = arena.plan;
+  const BodyPair& bodies = arena.bodies;
   MinimumLinkSeparator result;
   const LinkBound bound = link_bound(arena);
   result.lower = bound.lower;
   std::optional<Curve> best;
   const auto offer = [&](Curve curve) {
     if (best && best->edges() <= curve.edges()) return;
-    if (separates(curve, polygon_of(plan, Role::p), polygon_of(plan, Role::q))) best = std::move(curve);
+    if (separates(curve, polygon_of(bodies, Role::p), polygon_of(bodies, Role::q))) best = std::move(curve);
   };
   for (const double margin : tried_margins) {
-    if (std::optional<Curve> curve = curve_at_distance(plan, margin)) offer(std::move(*curve));
+    if (std::optional<Curve> curve = curve_at_distance(bodies, margin)) offer(std::move(*curve));
     if (best && static_cast<int>(best->edges()) <= result.lower) break;
   }
   // Where there is no room at all, rounding may yet leave the curve right.
-  if (!best || static_cast<int>(best->edges()) > result.lower) offer(curve_of(bound.path, both(plan)));
+  if (!best || static_cast<int>(best->edges()) > result.lower) offer(curve_of(bound.path, both(bodies)));
   for (std::size_t side = 0; side < 2 && !best; ++side) offer(hull_curve(arena, side));
   if (!best) throw StructureError("no separator passes the check");
   result.upper = static_cast<int>(best->edges());
   result.closed = best->closed;
   for (const Point& v : best->vertices)
-    result.vertices.push_back({std::ldexp(v.x, -plan.exponent), std::ldexp(v.y, -plan.exponent)});
+    result.vertices.push_back({std::ldexp(v.x, -bodies.exponent), std::ldexp(v.y, -bodies.exponent)});
   return result;
 }
 

@@ -35,7 +35,7 @@ inline StartOverlap overlap_of_outlines(const PairGeometry& geometry, const Moti
 template <class How, class Overlap>
 std::optional<StartContact> contact_at_start(const FeatureMap& witness, const MotionSegment& segment, double t,
                                              const How& how, const Overlap& overlap) {
-  if (witness.offset() == Offset::inward || overlap(displaced_pair(witness.plan(), Offset::inward)))
+  if (witness.offset() == Offset::inward || overlap(displaced_pair(witness.bodies(), Offset::inward)))
     return std::nullopt;
   const StartOverlap found = how();
   return StartContact{found, witness.contact_of_overlap(found, segment, t)};

@@ -98,11 +98,11 @@ double displacement_sway(const PairGeometry& geometry, const MotionSegment& segm
   return around.displaced / around.least_slope * (1 + 0x1p-40);
 }
 
-ContactBracket contact_bracket(const PairPlan& plan, const PairGeometry& geometry, Offset offset,
+ContactBracket contact_bracket(const BodyPair& bodies, const PairGeometry& geometry, Offset offset,
                                const MotionSegment& segment, const FoundContact& found, Passage passage) {
   ContactBracket bracket{found.lo, found.hi, false};
   if (is_steep(geometry, segment, found)) return bracket;
-  const std::optional<PairGeometry> other = displaced_pair_if_possible(plan, opposite(offset));
+  const std::optional<PairGeometry> other = displaced_pair_if_possible(bodies, opposite(offset));
   if (!other) {
     const bool earlier = (offset == Offset::inward) == (passage == Passage::enters);
     return {earlier ? segment.start : found.lo, earlier ? found.hi : segment.end, true};

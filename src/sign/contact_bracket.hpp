@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "pair/pair_plan.hpp"
+#include "pair/body_pair.hpp"
 #include "sign/found_contact.hpp"
 #include "taut/check.hpp"
 
@@ -30,7 +30,7 @@ struct ContactBracket {
 /// Where the vertex leaves, the same holds with time reversed. The given vertex is on its side of the given edge's line
 /// between the two, so it reaches the line within the bracket, or stays closer to it than the displacement. The ends
 /// are searched for on the segment of the contact alone. `geometry` is displaced as `offset` says.
-ContactBracket contact_bracket(const PairPlan& plan, const PairGeometry& geometry, Offset offset,
+ContactBracket contact_bracket(const BodyPair& bodies, const PairGeometry& geometry, Offset offset,
                                const MotionSegment& segment, const FoundContact& found,
                                Passage passage = Passage::enters);
 

@@ -32,13 +32,13 @@ ReportedPose frame_of(const MotionChain& common, double t) {
 VertexRef FeatureMap::vertex(VertexId v) const {
   const std::size_t side = index_of(geometry_.role_of(v));
   const std::uint32_t k = geometry_.in_p(v) ? v.value : v.value - geometry_.np;
-  return plan_.rings[side]->vertex(k);
+  return bodies_.rings[side]->vertex(k);
 }
 
 EdgeRef FeatureMap::edge(VertexId v) const {
   const std::size_t side = index_of(geometry_.role_of(v));
   const std::uint32_t k = geometry_.in_p(v) ? v.value : v.value - geometry_.np;
-  return plan_.rings[side]->edge(k);
+  return bodies_.rings[side]->edge(k);
 }
 
 Vector FeatureMap::in_frame(VertexId v, const MotionSegment& segment, double parameter) const {
@@ -47,8 +47,8 @@ Vector FeatureMap::in_frame(VertexId v, const MotionSegment& segment, double par
 }
 
 Point FeatureMap::world(Vector v, const MotionSegment& segment, double parameter) const {
-  const Vector at = plan_.common.empty() ? v : frame_of(plan_.common, segment.time(parameter)).place(v);
-  return {std::ldexp(at.x, -plan_.exponent), std::ldexp(at.y, -plan_.exponent)};
+  const Vector at = bodies_.common.empty() ? v : frame_of(bodies_.common, segment.time(parameter)).place(v);
+  return {std::ldexp(at.x, -bodies_.exponent), std::ldexp(at.y, -bodies_.exponent)};
 }
 
 Point FeatureMap::outward_normal(VertexId edge, const MotionSegment& segment, double parameter) const {
@@ -57,12 +57,13 @@ Point FeatureMap::outward_normal(VertexId edge, const MotionSegment& segment, do
   // The polygon lies to the left of its edges: outside is to the right.
   const double x = b.y - a.y, y = -(b.x - a.x), size = length(x, y) * length(axis.x, axis.y);
   const Vector normal = axis * Vector{x / size, y / size};
-  const Vector turned = plan_.common.empty() ? normal : frame_of(plan_.common, segment.time(parameter)).axis * normal;
+  const Vector turned =
+      bodies_.common.empty() ? normal : frame_of(bodies_.common, segment.time(parameter)).axis * normal;
   return {turned.x, turned.y};
 }
 
 Contact FeatureMap::contact(const FoundContact& found, const MotionSegment& segment, Passage passage) const {
-  const ContactBracket bracket = contact_bracket(plan_, geometry_, offset_, segment, found, passage);
+  const ContactBracket bracket = contact_bracket(bodies_, geometry_, offset_, segment, found, passage);
   Contact result = contact_at(found.vertex, found.edge, segment, bracket.lo, bracket.hi);
   result.grazing = bracket.grazing;
   return result;

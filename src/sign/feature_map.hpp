@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/vector.hpp"
-#include "pair/pair_plan.hpp"
+#include "pair/body_pair.hpp"
 #include "sign/contact_bracket.hpp"
 #include "taut/check.hpp"
 
@@ -19,10 +19,10 @@ struct StartOverlap {
 /// says. It and the plan must outlive this object.
 class FeatureMap {
  public:
-  FeatureMap(const PairPlan& plan, const PairGeometry& geometry, Offset offset)
-      : plan_(plan), geometry_(geometry), offset_(offset) {}
+  FeatureMap(const BodyPair& bodies, const PairGeometry& geometry, Offset offset)
+      : bodies_(bodies), geometry_(geometry), offset_(offset) {}
 
-  const PairPlan& plan() const { return plan_; }
+  const BodyPair& bodies() const { return bodies_; }
   Offset offset() const { return offset_; }
   VertexRef vertex(VertexId v) const;
   /// The edge from v to the next vertex, counterclockwise.
@@ -49,7 +49,7 @@ class FeatureMap {
   double distance(VertexId v, VertexId edge, const MotionSegment& segment, double t) const;
   Point outward_normal(VertexId edge, const MotionSegment& segment, double parameter) const;
 
-  const PairPlan& plan_;
+  const BodyPair& bodies_;
   const PairGeometry& geometry_;
   Offset offset_;
 };

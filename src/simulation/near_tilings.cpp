@@ -23,19 +23,21 @@ Scene from_there(const Scene& scene, double t) {
   return rest;
 }
 
-std::vector<std::pair<int, int>> near_pairs(const WorldPlan& plan) {
-  std::vector<int> bodies(plan.bodies().size());
+std::vector<std::pair<int, int>> near_pairs(const Instance& instance) {
+  std::vector<int> bodies(instance.bodies().size());
   std::iota(bodies.begin(), bodies.end(), 0);
   std::vector<std::pair<int, int>> pairs;
-  MeetingBoxes(plan, bodies, plan.start(), plan.end()).each([&](int a, int b, bool) { pairs.emplace_back(a, b); });
+  MeetingBoxes(instance, bodies, instance.start(), instance.end()).each([&](int a, int b, bool) {
+    pairs.emplace_back(a, b);
+  });
   std::sort(pairs.begin(), pairs.end());
   return pairs;
 }
 
 /// None where they overlap, or it was not decided.
-std::vector<NearTiling> tilings_at_start(const WorldPlan& plan, const std::pair<int, int>& pair, Offset offset) {
+std::vector<NearTiling> tilings_at_start(const Instance& instance, const std::pair<int, int>& pair, Offset offset) {
   EventBudget budget(UINT64_MAX);
-  KineticSolver near(plan, pair.first, pair.second, offset, budget);
+  KineticSolver near(instance, pair.first, pair.second, offset, budget);
   near.ask_start();
   return near.tilings();
 }
@@ -51,13 +53,12 @@ std::vector<NearTiling> tilings_of_near_pairs(const Scene& scene, double t, Touc
   if (!(t >= scene.start && t <= scene.end))
     throw InputError("t", "the instant is outside of the scene's time", "choose one within");
   const Offset offset = offset_for(touch);
-  const WorldPlan plan(from_there(scene, t));
+  const Instance instance(from_there(scene, t));
   std::vector<NearTiling> all;
-  for (const std::pair<int, int>& pair : near_pairs(plan)) {
-    std::vector<NearTiling> own = tilings_at_start(plan, pair, offset);
+  for (const std::pair<int, int>& pair : near_pairs(instance)) {
+    std::vector<NearTiling> own = tilings_at_start(instance, pair, offset);
     const double before = t - share_before_touching * (scene.end - scene.start);
-    if (own.empty() && before >= scene.start)
-      own = tilings_at_start(WorldPlan(from_there(scene, before)), pair, offset);
+    if (own.empty() && before >= scene.start) own = tilings_at_start(Instance(from_there(scene, before)), pair, offset);
     std::move(own.begin(), own.end(), std::back_inserter(all));
   }
   return all;

@@ -23,7 +23,7 @@ TilingFace copy_face(const Session& session, HalfedgeId start, std::vector<bool>
   face.kind = face_kind(map, start);
   const ChainNode n = map.node(start);
   if (face.kind == FaceKind::node || face.kind == FaceKind::polygon_interior) {
-    face.body = session.plan().body(node::in_p(n) ? Role::p : Role::q);
+    face.body = session.bodies().body(node::in_p(n) ? Role::p : Role::q);
     face.depth = node::depth(n);
   }
   if (face.kind == FaceKind::node) {
@@ -79,7 +79,7 @@ TilingHalfedge Simulation::halfedge(int index) const {
   out.kind = face_kind(map, h);
   if (out.kind == FaceKind::node || out.kind == FaceKind::polygon_interior) {
     const ChainNode n = map.node(h);
-    out.body = session.plan().body(node::in_p(n) ? Role::p : Role::q);
+    out.body = session.bodies().body(node::in_p(n) ? Role::p : Role::q);
     out.depth = node::depth(n);
   }
   return out;
@@ -124,7 +124,7 @@ namespace {
 /// 0 if the body plays P, 1 if it plays Q.
 std::size_t side_of(const Session& session, BodyId body) {
   if (body < 0 || body > 1) throw InputError("", "there is no body " + std::to_string(body), "bodies are 0 and 1");
-  return session.plan().body(Role::p) == body ? 0 : 1;
+  return session.bodies().body(Role::p) == body ? 0 : 1;
 }
 
 ChainTree tree_of(const PairGeometry& g, std::size_t side) {

@@ -21,9 +21,9 @@ const Scene& validated(const Scene& scene) {
 }
 
 /// In the input's units.
-Bounds bounds_of(const WorldPlan& plan, BodyId body) {
-  const Bounds& b = plan.bodies()[static_cast<std::size_t>(body)].rings->bounds();
-  const auto back = [&](double x) { return std::ldexp(x, -plan.exponent()); };
+Bounds bounds_of(const Instance& instance, BodyId body) {
+  const Bounds& b = instance.bodies()[static_cast<std::size_t>(body)].rings->bounds();
+  const auto back = [&](double x) { return std::ldexp(x, -instance.exponent()); };
   return {{back(b.lo.x), back(b.lo.y)}, {back(b.hi.x), back(b.hi.y)}};
 }
 
@@ -32,15 +32,15 @@ Bounds bounds_of(const WorldPlan& plan, BodyId body) {
 WorldSimulation::WorldSimulation(const Scene& scene, Touch touch, std::uint64_t max_events)
     : touch_(touch),
       start_(scene.start),
-      plan_(validated(scene)),
-      near_(plan_),
+      instance_(validated(scene)),
+      near_(instance_),
       budget_(max_events),
       now_(scene.start) {
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     names_.push_back(scene.bodies[i].name);
-    extent_ = std::max(extent_, diagonal(bounds_of(plan_, static_cast<BodyId>(i))));
+    extent_ = std::max(extent_, diagonal(bounds_of(instance_, static_cast<BodyId>(i))));
     // Refuses features that are too fine now, rather than when the body comes near another one.
-    plan_.bodies()[i].rings->displaced(offset_for(touch));
+    instance_.bodies()[i].rings->displaced(offset_for(touch));
   }
   answer_.outcome = Outcome::free;
   note_tested();
@@ -58,7 +58,7 @@ KineticSolver& WorldSimulation::pair(const Key& key) {
   auto known = pairs_.find(key);
   if (known == pairs_.end()) {
     // Made first: a limit may end that.
-    auto fresh = std::make_unique<KineticSolver>(plan_, key.first, key.second, offset_for(touch_), budget_);
+    auto fresh = std::make_unique<KineticSolver>(instance_, key.first, key.second, offset_for(touch_), budget_);
     known = pairs_.emplace(key, std::move(fresh)).first;
   }
   return *known->second;
@@ -67,8 +67,10 @@ KineticSolver& WorldSimulation::pair(const Key& key) {
 /// Do any two bodies overlap, or touch?
 void WorldSimulation::ask_starts() {
   std::vector<int> all;
-  for (const WorldBody& body : plan_.bodies()) all.push_back(body.rings->body());
-  MeetingBoxes(plan_, all, plan_.start(), plan_.start()).each([&](int a, int b, bool) { pair({a, b}).ask_start(); });
+  for (const InstanceBody& body : instance_.bodies()) all.push_back(body.rings->body());
+  MeetingBoxes(instance_, all, instance_.start(), instance_.start()).each([&](int a, int b, bool) {
+    pair({a, b}).ask_start();
+  });
   conclude();
 }
 
@@ -77,17 +79,17 @@ void WorldSimulation::ask_starts() {
 void WorldSimulation::ask_starts_of(const std::vector<int>& changed, const std::vector<int>& groups_before) {
   const auto group_before = [&](int k) {
     const auto found = std::lower_bound(changed.begin(), changed.end(), k);
-    if (found == changed.end() || *found != k) return plan_.bodies()[static_cast<std::size_t>(k)].group;
+    if (found == changed.end() || *found != k) return instance_.bodies()[static_cast<std::size_t>(k)].group;
     return groups_before[static_cast<std::size_t>(found - changed.begin())];
   };
   const auto box = [&](int k) {
-    return swept_box(plan_.bodies()[static_cast<std::size_t>(k)], plan_.start(), plan_.start());
+    return swept_box(instance_.bodies()[static_cast<std::size_t>(k)], instance_.start(), instance_.start());
   };
   bool met = false;
   for (const int body : changed) {
     near_.each_of(body, [&](int other) {
-      const bool parted = !plan_.tests_groups() && group_before(body) == group_before(other);
-      if (!parted && now_ > plan_.start()) return;
+      const bool parted = !instance_.tests_groups() && group_before(body) == group_before(other);
+      if (!parted && now_ > instance_.start()) return;
       if (pairs_.count(key(body, other)) > 0 || !box(body).meets(box(other))) return;
       KineticSolver& asked = pair(key(body, other));
       asked.ask_start();
@@ -154,10 +156,10 @@ void WorldSimulation::conclude() {
   take_earliest(events, answer_);
   now_ = std::max(now_, answer_.free_until);
   if (answer_.outcome != Outcome::overlap_at_start) return;
-  answer_.overlap_point = common_point(plan_.pair((*answer_.pair)[0], (*answer_.pair)[1]), plan_.start());
+  answer_.overlap_point = common_point(instance_.pair((*answer_.pair)[0], (*answer_.pair)[1]), instance_.start());
 }
 
-Coverage WorldSimulation::coverage() const { return plan_.coverage(plan_.coverage(0).apart); }
+Coverage WorldSimulation::coverage() const { return instance_.coverage(instance_.coverage(0).apart); }
 
 std::uint64_t WorldSimulation::certificates() const {
   std::uint64_t sum = 0;
@@ -172,10 +174,10 @@ void WorldSimulation::check_motion(BodyId body, const Motion& motion) const {
   if (body < 0 || body >= count)
     throw InputError("", "there is no body " + std::to_string(body), "bodies are 0 to " + std::to_string(count - 1));
   const std::string& name = names_[static_cast<std::size_t>(body)];
-  const Bounds bounds = bounds_of(plan_, body);
+  const Bounds bounds = bounds_of(instance_, body);
   validate_motion(motion, name, bounds, now_, end(), extent_);
-  const PieceList& own = plan_.bodies()[static_cast<std::size_t>(body)].own;
-  const MotionPiece before = own.empty() ? MotionPiece{} : scaled(own.at(now_), -plan_.exponent());
+  const PieceList& own = instance_.bodies()[static_cast<std::size_t>(body)].own;
+  const MotionPiece before = own.empty() ? MotionPiece{} : scaled(own.at(now_), -instance_.exponent());
   const MotionPiece after = pieces_between(motion, now_, end()).front();
   const double gap = joint_gap(before, after, bounds, now_);
   if (!(gap <= joint_room(before, after, bounds, now_, extent_)))
@@ -187,13 +189,13 @@ void WorldSimulation::set_motion(BodyId body, const Motion& motion) {
   check_motion(body, motion);
   if (over()) return;
   const double from = now_ > start_ ? std::nextafter(now_, start_) : now_;
-  const std::vector<int> changed = plan_.followers(body);
+  const std::vector<int> changed = instance_.followers(body);
   std::vector<int> groups;
   for (const int k : changed) {
-    groups.push_back(plan_.bodies()[static_cast<std::size_t>(k)].group);
+    groups.push_back(instance_.bodies()[static_cast<std::size_t>(k)].group);
     near_.each_of(k, [&](int other) { pairs_.erase(key(k, other)); });
   }
-  plan_.replan(body, motion, now_, from);
+  instance_.replan(body, motion, now_, from);
   note_tested();
   near_.change(changed, from);
   ask_starts_of(changed, groups);

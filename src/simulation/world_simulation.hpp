@@ -12,7 +12,7 @@
 #include "search/kinetic_solver.hpp"
 #include "search/near_pairs.hpp"
 #include "taut/check.hpp"
-#include "world/world_plan.hpp"
+#include "world/instance.hpp"
 
 namespace taut::internal {
 
@@ -34,7 +34,7 @@ class WorldSimulation {
   void set_motion(BodyId body, const Motion& motion);
 
   double start() const { return start_; }
-  double end() const { return plan_.end(); }
+  double end() const { return instance_.end(); }
   /// Up to where it is proved free.
   double time() const { return now_; }
   /// Something has happened: a contact, an overlap, or what was not decided. Then that is the answer.
@@ -63,7 +63,7 @@ class WorldSimulation {
 
   Touch touch_;
   double start_;
-  WorldPlan plan_;
+  Instance instance_;
   std::vector<std::string> names_;
   double extent_ = 0;
   NearPairs near_;

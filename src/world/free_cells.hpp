@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "world/box_tree.hpp"
-#include "world/world_plan.hpp"
+#include "world/instance.hpp"
 
 namespace taut::internal {
 

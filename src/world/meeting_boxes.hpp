@@ -10,12 +10,12 @@
 namespace taut::internal {
 
 /// Over half of the window that the boxes are for, would those of the two bodies be much shorter?
-bool is_long(const WorldPlan& plan, int a, const SweptBox& box_a, int b, const SweptBox& box_b);
+bool is_long(const Instance& instance, int a, const SweptBox& box_a, int b, const SweptBox& box_b);
 
 /// Some bodies of a world, and their boxes over a window.
 class MeetingBoxes {
  public:
-  MeetingBoxes(const WorldPlan& plan, const std::vector<int>& bodies, double from, double to);
+  MeetingBoxes(const Instance& instance, const std::vector<int>& bodies, double from, double to);
 
   /// Calls visit(a, b, longer) for all pairs of bodies a < b whose boxes meet and that are asked about. `longer`:
   /// is_long().
@@ -29,7 +29,7 @@ class MeetingBoxes {
   void each(const std::vector<int>& groups, const std::function<void(int, int, bool)>& visit) const;
   std::vector<int> groups() const;
 
-  const WorldPlan& plan_;
+  const Instance& instance_;
   const std::vector<int>& bodies_;
   std::vector<SweptBox> boxes_;
 };

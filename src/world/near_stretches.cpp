@@ -14,17 +14,18 @@ constexpr int halvings_of_coarse_windows = 6;
 
 }  // namespace
 
-NearStretches::NearStretches(const WorldPlan& plan) : plan_(plan) {
-  std::vector<int> bodies(plan.bodies().size());
+NearStretches::NearStretches(const Instance& instance) : instance_(instance) {
+  std::vector<int> bodies(instance.bodies().size());
   std::iota(bodies.begin(), bodies.end(), 0);
-  for (int k = 0; k < coarse_windows; ++k) cover(bodies, coarse_boundary(plan, k), coarse_boundary(plan, k + 1), 0);
+  for (int k = 0; k < coarse_windows; ++k)
+    cover(bodies, coarse_boundary(instance, k), coarse_boundary(instance, k + 1), 0);
 }
 
 void NearStretches::cover(const std::vector<int>& bodies, double from, double to, int depth) {
   const double middle = from + (to - from) / 2;
   const bool divisible = from < middle && middle < to && depth < halvings_of_coarse_windows;
   std::unordered_set<int> again;
-  MeetingBoxes(plan_, bodies, from, to).each([&](int a, int b, bool longer) {
+  MeetingBoxes(instance_, bodies, from, to).each([&](int a, int b, bool longer) {
     std::vector<TimeInterval>& own = stretches_[{a, b}];
     // The window around this one was short enough for them.
     if (!own.empty() && own.back().hi >= to) return;

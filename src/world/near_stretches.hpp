@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "taut/check.hpp"
-#include "world/world_plan.hpp"
+#include "world/instance.hpp"
 
 namespace taut::internal {
 
@@ -15,7 +15,7 @@ namespace taut::internal {
 /// divided into the coarse windows, and these are halved as long as that makes boxes much shorter.
 class NearStretches {
  public:
-  explicit NearStretches(const WorldPlan& plan);
+  explicit NearStretches(const Instance& instance);
 
   /// Of each pair a < b that is asked about, the stretches in order and apart from each other; none if boxes over the
   /// halves of windows tell the two apart throughout. Pairs that boxes over the coarse windows tell apart are left out.
@@ -24,7 +24,7 @@ class NearStretches {
  private:
   void cover(const std::vector<int>& bodies, double from, double to, int depth);
 
-  const WorldPlan& plan_;
+  const Instance& instance_;
   std::map<std::pair<int, int>, std::vector<TimeInterval>> stretches_;
 };
 

@@ -16,34 +16,35 @@ double distance_of(const SweptBox& a, const SweptBox& b) {
   return std::sqrt(x * x + y * y) * (1 - 0x1p-45);
 }
 
-bool all_rest(const WorldPlan& plan) {
-  return std::all_of(plan.bodies().begin(), plan.bodies().end(),
-                     [](const WorldBody& body) { return body.motions.empty(); });
+bool all_rest(const Instance& instance) {
+  return std::all_of(instance.bodies().begin(), instance.bodies().end(),
+                     [](const InstanceBody& body) { return body.motions.empty(); });
 }
 
 }  // namespace
 
-CoarseBoxes::CoarseBoxes(const WorldPlan& plan) : plan_(plan), windows_(all_rest(plan) ? 1 : coarse_windows) {
+CoarseBoxes::CoarseBoxes(const Instance& instance)
+    : instance_(instance), windows_(all_rest(instance) ? 1 : coarse_windows) {
   for (std::size_t k = 0; k < windows_.size(); ++k) {
     const int window = static_cast<int>(k);
-    for (const WorldBody& body : plan.bodies()) {
+    for (const InstanceBody& body : instance.bodies()) {
       checkpoint();
-      windows_[k].push_back(swept_box(body, coarse_boundary(plan, window), coarse_boundary(plan, window + 1)));
+      windows_[k].push_back(swept_box(body, coarse_boundary(instance, window), coarse_boundary(instance, window + 1)));
     }
   }
 }
 
 std::vector<std::pair<int, int>> CoarseBoxes::pairs_within(double reach) const {
   std::vector<int> groups;
-  if (!plan_.tests_groups()) {
-    for (const WorldBody& body : plan_.bodies()) groups.push_back(body.group);
+  if (!instance_.tests_groups()) {
+    for (const InstanceBody& body : instance_.bodies()) groups.push_back(body.group);
   }
   std::vector<std::pair<int, int>> pairs;
   for (const std::vector<SweptBox>& boxes : windows_) {
     std::vector<SweptBox> grown;
     for (const SweptBox& box : boxes) grown.push_back(box.grown(reach / 2));
     BoxTree(grown, groups).each_two([&](int i, int j) {
-      if (plan_.asked(i, j)) pairs.emplace_back(std::minmax(i, j));
+      if (instance_.asked(i, j)) pairs.emplace_back(std::minmax(i, j));
     });
   }
   std::sort(pairs.begin(), pairs.end());

@@ -11,7 +11,7 @@ namespace taut::internal {
 /// The boxes of all bodies over the coarse windows of a world's time.
 class CoarseBoxes {
  public:
-  explicit CoarseBoxes(const WorldPlan& plan);
+  explicit CoarseBoxes(const Instance& instance);
 
   /// In order, all pairs a < b that are asked about and whose boxes are within `reach` of each other in some window,
   /// and perhaps a few more. No other pair that is asked about ever comes closer than `reach`, in internal units.
@@ -20,7 +20,7 @@ class CoarseBoxes {
   double distance(int a, int b) const;
 
  private:
-  const WorldPlan& plan_;
+  const Instance& instance_;
   std::vector<std::vector<SweptBox>> windows_;  ///< of each window, the boxes of all bodies; of a layout, one window
 };
 

@@ -36,7 +36,7 @@ SweptBox box_of_pieces(const PieceChain& chain, const Bounds& bounds, double fro
 
 }  // namespace
 
-SweptBox swept_box(const WorldBody& body, double from, double to) {
+SweptBox swept_box(const InstanceBody& body, double from, double to) {
   const Bounds& bounds = body.rings->bounds();
   if (body.motions.empty()) return box_of_pieces({MotionPiece{}}, bounds, from, to);
   SweptBox whole{unbounded, unbounded, -unbounded, -unbounded};
@@ -56,9 +56,10 @@ SweptBox swept_box(const WorldBody& body, double from, double to) {
   return whole;
 }
 
-double coarse_boundary(const WorldPlan& plan, int k) {
-  const double length = plan.end() - plan.start();
-  return k == coarse_windows ? plan.end() : std::min(plan.end(), plan.start() + length * k / coarse_windows);
+double coarse_boundary(const Instance& instance, int k) {
+  const double length = instance.end() - instance.start();
+  return k == coarse_windows ? instance.end()
+                             : std::min(instance.end(), instance.start() + length * k / coarse_windows);
 }
 
 }  // namespace taut::internal

@@ -1,7 +1,7 @@
 // Where a body may be during a window of time: a box along the axes that certainly holds it.
 #pragma once
 
-#include "world/world_plan.hpp"
+#include "world/instance.hpp"
 
 namespace taut::internal {
 
@@ -33,11 +33,11 @@ inline bool is_long(const SweptBox& a, const SweptBox& b, double sizes) {
 inline constexpr int most_halvings = 30;
 
 /// The box of the body, displaced either way, all over [from, to], in the world's frame.
-SweptBox swept_box(const WorldBody& body, double from, double to);
+SweptBox swept_box(const InstanceBody& body, double from, double to);
 
 /// Into so many windows is a world's time divided to see which bodies may come near each other at all.
 inline constexpr int coarse_windows = 16;
 /// Where window k of these begins, and the one before ends.
-double coarse_boundary(const WorldPlan& plan, int k);
+double coarse_boundary(const Instance& instance, int k);
 
 }  // namespace taut::internal

@@ -169,14 +169,15 @@ TEST(ForgedWindows, BodiesThatLeaveTheirBoxes) {
     const Scene scene = scene_of(large_world(seed).world);
     if (check(scene).outcome != Outcome::contact) continue;
     const proof::VerifierScene proved(scene);
-    const WorldPlan plan(scene);
+    const Instance instance(scene);
     std::ostringstream log;
     proof::ByteWriter out(log);
     proof::write_header(out, {proof::of_separations, scene_fingerprint(scene, Touch::open), Touch::open,
                               static_cast<std::uint8_t>(proof::Claim::free)});
     out.u8(1);
     for (const int body : moving_bodies(proved, {})) {
-      const SweptBox b = swept_box(plan.bodies()[static_cast<std::size_t>(body)], scene.start, scene.start).grown(1e-6);
+      const SweptBox b =
+          swept_box(instance.bodies()[static_cast<std::size_t>(body)], scene.start, scene.start).grown(1e-6);
       out.u8(1);
       for (const double side : {b.lo_x, b.lo_y, b.hi_x, b.hi_y}) {
         const auto single = static_cast<float>(side);

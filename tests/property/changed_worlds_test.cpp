@@ -74,15 +74,15 @@ TEST(ChangedWorlds, ComeToWhatOneWithAllChangesInItComesTo) {
 }
 
 /// Which pairs are near now, by the boxes of all bodies at some instants of the present window.
-void expect_all_near(const WorldPlan& plan, const NearPairs& near, int& met) {
-  const int bodies = static_cast<int>(plan.bodies().size());
+void expect_all_near(const Instance& instance, const NearPairs& near, int& met) {
+  const int bodies = static_cast<int>(instance.bodies().size());
   for (int k = 0; k <= 4; ++k) {
     const double t = near.from() + (near.until() - near.from()) * k / 4;
     std::vector<SweptBox> boxes;
-    for (const WorldBody& body : plan.bodies()) boxes.push_back(swept_box(body, t, t));
+    for (const InstanceBody& body : instance.bodies()) boxes.push_back(swept_box(body, t, t));
     for (int a = 0; a < bodies; ++a) {
       for (int b = a + 1; b < bodies; ++b) {
-        if (!plan.asked(a, b)) {
+        if (!instance.asked(a, b)) {
           ASSERT_FALSE(near.has(a, b)) << a << " and " << b << " are not asked about";
         } else if (boxes[static_cast<std::size_t>(a)].meets(boxes[static_cast<std::size_t>(b)])) {
           ASSERT_TRUE(near.has(a, b) && near.has(b, a)) << a << " and " << b << " at " << t;
@@ -101,10 +101,10 @@ TEST(ChangedWorlds, WhoeverMeetsIsNear) {
     Rng rng(seed + 5);
     Scene scene = scene_of(large_world(seed).world);
     validate_polygons(scene);
-    WorldPlan plan(scene);
-    NearPairs near(plan);
+    Instance instance(scene);
+    NearPairs near(instance);
     near.begin(scene.start);
-    ASSERT_NO_FATAL_FAILURE(expect_all_near(plan, near, met));
+    ASSERT_NO_FATAL_FAILURE(expect_all_near(instance, near, met));
     while (!near.last() && windows < 100000) {
       ++windows;
       if (rng.chance(0.3)) {
@@ -113,13 +113,13 @@ TEST(ChangedWorlds, WhoeverMeetsIsNear) {
         Body& changed = scene.bodies[static_cast<std::size_t>(body)];
         const Motion after = going_on(changed, t, rng);
         changed.motion = joined(changed.motion, after, scene.start, t);
-        plan.replan(body, after, t, t);
-        near.change(plan.followers(body), t);
+        instance.replan(body, after, t, t);
+        near.change(instance.followers(body), t);
         ++changes;
       } else {
         near.next();
       }
-      ASSERT_NO_FATAL_FAILURE(expect_all_near(plan, near, met));
+      ASSERT_NO_FATAL_FAILURE(expect_all_near(instance, near, met));
     }
   }
   std::cout << changes << " changes, " << windows << " windows, " << met << " pairs met\n";

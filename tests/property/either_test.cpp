@@ -76,12 +76,12 @@ TEST(Either, CostsLittleMoreThanTheBetterEngine) {
 }
 
 /// By slices of which each is longer than the one before, and the first ones far too short for anything.
-PairResult by_slices(const WorldPlan& plan, EngineChoice engine, Offset offset, std::uint64_t slice) {
+PairResult by_slices(const Instance& instance, EngineChoice engine, Offset offset, std::uint64_t slice) {
   EventBudget budget(UINT64_MAX);
-  const auto solver = pair_solver({engine}, plan, 0, 1, offset, budget);
+  const auto solver = pair_solver({engine}, instance, 0, 1, offset, budget);
   solver->ask_start();
   int slices = 0;
-  while (!solver->work(plan.start(), plan.end(), slice)) {
+  while (!solver->work(instance.start(), instance.end(), slice)) {
     if (++slices > 400) {
       ADD_FAILURE() << "no end after " << slices << " slices";
       break;
@@ -98,10 +98,10 @@ TEST(Either, ShortSlicesComeToTheSameEnd) {
     SCOPED_TRACE("scene " + std::to_string(number));
     try {
       validate(s.scene);
-      const WorldPlan plan(s.scene);
+      const Instance instance(s.scene);
       for (const EngineChoice engine : {EngineChoice::kinetic, EngineChoice::spacetime}) {
-        const PairResult at_once = by_slices(plan, engine, offset_for(s.touch), UINT64_MAX);
-        const PairResult result = by_slices(plan, engine, offset_for(s.touch), 1 + number % 97);
+        const PairResult at_once = by_slices(instance, engine, offset_for(s.touch), UINT64_MAX);
+        const PairResult result = by_slices(instance, engine, offset_for(s.touch), 1 + number % 97);
         ASSERT_EQ(result.outcome, at_once.outcome) << to_string(engine);
         EXPECT_EQ(result.free_until, at_once.free_until);
         ASSERT_EQ(result.contact.has_value(), at_once.contact.has_value());
@@ -150,11 +150,11 @@ TEST(Either, AddsUpWindowsThatEitherEngineDecides) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Rng rng(seed);
     const Scene scene = scene_of(random_world(seed));
-    const WorldPlan plan(scene);
+    const Instance instance(scene);
     EventBudget budget(UINT64_MAX);
     const Offset offset = seed % 2 == 0 ? Offset::inward : Offset::outward;
-    const auto alone = pair_solver({EngineChoice::spacetime}, plan, 0, 1, offset, budget),
-               turns = pair_solver({EngineChoice::either, static_cast<std::uint64_t>(rng.below(600))}, plan, 0, 1,
+    const auto alone = pair_solver({EngineChoice::spacetime}, instance, 0, 1, offset, budget),
+               turns = pair_solver({EngineChoice::either, static_cast<std::uint64_t>(rng.below(600))}, instance, 0, 1,
                                    offset, budget);
     alone->ask_start();
     turns->ask_start();

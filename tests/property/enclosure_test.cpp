@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "pair/pair_plan.hpp"
+#include "pair/body_pair.hpp"
 #include "support/effort.hpp"
 #include "support/exact_motion.hpp"
 #include "support/exact_roots.hpp"
@@ -96,10 +96,10 @@ Place place(const MotionPiece& piece, const DisplacedPoint& v, const Wide& t) {
 }
 
 /// The vertex of a feature in the pair's own numbers.
-VertexId vertex_of(const PairPlan& plan, int body, int index, bool edge) {
-  const std::size_t side = plan.body(Role::p) == body ? 0 : 1;
-  const RingMap& map = plan.rings[side]->rings()[0];
-  const auto before = static_cast<std::uint32_t>(side == 0 ? 0 : plan.rings[0]->size());
+VertexId vertex_of(const BodyPair& bodies, int body, int index, bool edge) {
+  const std::size_t side = bodies.body(Role::p) == body ? 0 : 1;
+  const RingMap& map = bodies.rings[side]->rings()[0];
+  const auto before = static_cast<std::uint32_t>(side == 0 ? 0 : bodies.rings[0]->size());
   for (std::uint32_t k = 0; k < map.size; ++k) {
     if ((edge ? map.edge(k) : map.vertex(k)) == index) return VertexId(before + k);
   }
@@ -107,11 +107,11 @@ VertexId vertex_of(const PairPlan& plan, int body, int index, bool edge) {
 }
 
 /// The side of the edge's line on which the vertex is at t: positive inside.
-int side_at(const PairPlan& plan, const PairGeometry& g, const Contact& contact, double t) {
+int side_at(const BodyPair& bodies, const PairGeometry& g, const Contact& contact, double t) {
   const Precision precision(2000);
-  const VertexId a = vertex_of(plan, contact.edge.body, contact.edge.index, true), b = g.next(a);
-  const VertexId c = vertex_of(plan, contact.vertex.body, contact.vertex.index, false);
-  const auto at = [&](VertexId v) { return place(plan.motions[g.in_p(v) ? 0 : 1][0][0], g.point(v), Wide(t)); };
+  const VertexId a = vertex_of(bodies, contact.edge.body, contact.edge.index, true), b = g.next(a);
+  const VertexId c = vertex_of(bodies, contact.vertex.body, contact.vertex.index, false);
+  const auto at = [&](VertexId v) { return place(bodies.motions[g.in_p(v) ? 0 : 1][0][0], g.point(v), Wide(t)); };
   const Place pa = at(a), pb = at(b), pc = at(c);
   return ((pb.x - pa.x) * (pc.y - pa.y) - (pb.y - pa.y) * (pc.x - pa.x)).sign();
 }
@@ -129,13 +129,13 @@ TEST(Enclosure, OfAContactContainsItsRoot) {
     ASSERT_NE(answer.outcome, Outcome::undecided);
     if (answer.outcome != Outcome::contact) continue;
     const TimeInterval& time = answer.contact->time;
-    const PairPlan plan = plan_pair(scene);
-    const PairGeometry geometry = displaced_pair(plan, offset_for(options.touch));
-    ASSERT_EQ(plan.motions[0][0].size() * plan.motions[1][0].size(), 1u);
+    const BodyPair bodies = pair_of(scene);
+    const PairGeometry geometry = displaced_pair(bodies, offset_for(options.touch));
+    ASSERT_EQ(bodies.motions[0][0].size() * bodies.motions[1][0].size(), 1u);
     ++contacts;
     ASSERT_LE(time.lo, time.hi);
-    ASSERT_LE(side_at(plan, geometry, *answer.contact, time.lo), 0);
-    ASSERT_GE(side_at(plan, geometry, *answer.contact, time.hi), 0);
+    ASSERT_LE(side_at(bodies, geometry, *answer.contact, time.lo), 0);
+    ASSERT_GE(side_at(bodies, geometry, *answer.contact, time.hi), 0);
     sharp += time.hi - time.lo <= 0x1p-46;
   }
   EXPECT_GT(sharp, contacts - contacts / 16);

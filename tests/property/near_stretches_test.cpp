@@ -33,8 +33,8 @@ struct Looked {
 
 class PairOfWorld {
  public:
-  PairOfWorld(const MadeWorld& world, const WorldPlan& plan, const NearStretches& near, int a, int b)
-      : world_(world), plan_(plan), a_(a), b_(b), known_(near.pairs().count({a, b}) > 0) {
+  PairOfWorld(const MadeWorld& world, const Instance& instance, const NearStretches& near, int a, int b)
+      : world_(world), instance_(instance), a_(a), b_(b), known_(near.pairs().count({a, b}) > 0) {
     if (known_) stretches_ = near.pairs().at({a, b});
   }
 
@@ -48,9 +48,9 @@ class PairOfWorld {
     }
   }
   void expect_same_intervals(Offset offset, Looked& looked) const {
-    const std::vector<TimeInterval> whole{{plan_.start(), plan_.end()}};
-    const auto expected = overlap_intervals(plan_, a_, b_, whole, offset, true);
-    const auto said = overlap_intervals(plan_, a_, b_, stretches_, offset, false);
+    const std::vector<TimeInterval> whole{{instance_.start(), instance_.end()}};
+    const auto expected = overlap_intervals(instance_, a_, b_, whole, offset, true);
+    const auto said = overlap_intervals(instance_, a_, b_, stretches_, offset, false);
     ASSERT_EQ(said.size(), expected.size()) << a_ << ' ' << b_;
     for (std::size_t i = 0; i < said.size(); ++i) EXPECT_TRUE(same_interval(said[i], expected[i])) << a_ << ' ' << b_;
     ++looked.pairs;
@@ -61,7 +61,7 @@ class PairOfWorld {
 
  private:
   const MadeWorld& world_;
-  const WorldPlan& plan_;
+  const Instance& instance_;
   int a_, b_;
   bool known_;
   std::vector<TimeInterval> stretches_;
@@ -72,13 +72,13 @@ TEST(NearStretches, HoldAllOverlaps) {
   for (std::uint64_t number = 0; number < effort(300); ++number) {
     SCOPED_TRACE(number);
     const MadeWorld world = number % 30 == 0 ? large_world(number).world : small_world(number).world;
-    const WorldPlan plan(scene_of(world));
-    const NearStretches near(plan);
+    const Instance instance(scene_of(world));
+    const NearStretches near(instance);
     const int n = static_cast<int>(world.bodies.size());
     for (int a = 0; a < n; ++a) {
       for (int b = a + 1; b < n; ++b) {
-        if (!plan.asked(a, b)) continue;
-        const PairOfWorld pair(world, plan, near, a, b);
+        if (!instance.asked(a, b)) continue;
+        const PairOfWorld pair(world, instance, near, a, b);
         pair.expect_apart_outside();
         if (n < 10) pair.expect_same_intervals(number % 2 == 0 ? Offset::inward : Offset::outward, looked);
       }

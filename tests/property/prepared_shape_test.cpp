@@ -10,7 +10,7 @@
 #include "generators/generators.hpp"
 #include "geometry/prepared_shape.hpp"
 #include "motion/pieces.hpp"
-#include "pair/pair_plan.hpp"
+#include "pair/body_pair.hpp"
 #include "relative/make_segments.hpp"
 #include "relative/motion_segment.hpp"
 #include "support/effort.hpp"
@@ -39,10 +39,10 @@ struct JoinCounts {
 
 /// Compares the tilings joined and from scratch at some instants of a scene with one piece of motion a body.
 void compare_tilings(const Scene& scene, int instants, bool in_any_case, JoinCounts& counts) {
-  const PairPlan plan = plan_pair(scene);
-  const MotionSegments segments = segments_of(plan, scene.start, scene.end);
+  const BodyPair bodies = pair_of(scene);
+  const MotionSegments segments = segments_of(bodies, scene.start, scene.end);
   for (const Offset offset : {Offset::inward, Offset::outward}) {
-    const PairGeometry geometry = displaced_pair(plan, offset);
+    const PairGeometry geometry = displaced_pair(bodies, offset);
     const auto p = tile_shape(geometry.p(), node::p_tree);
     const auto q = tile_shape(geometry.q(), node::q_tree);
     ASSERT_TRUE(p && q);

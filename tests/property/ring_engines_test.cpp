@@ -23,7 +23,7 @@ struct RingCounts {
 };
 
 /// By the second engine.
-void expect_other_engine_agrees(const WorldPlan& world, Offset offset, const RingAudit& kinetic) {
+void expect_other_engine_agrees(const Instance& world, Offset offset, const RingAudit& kinetic) {
   const PairInstance pair(world, 0, 1, offset);
   if (spacetime::overlapping(pair.geometry, pair.trees(), pair.segments()[0], world.start())) {
     EXPECT_EQ(kinetic.outcome, Outcome::overlap_at_start);
@@ -41,7 +41,7 @@ void expect_other_engine_agrees(const WorldPlan& world, Offset offset, const Rin
 }
 
 void examine(const Scene& scene, Offset offset, RingCounts& counts) {
-  const WorldPlan world(scene);
+  const Instance world(scene);
   const RingAudit result = audit_rings(world, 0, 1, offset, counts.maps);
   ASSERT_EQ(result.fault, "");
   counts.contained += result.contained;

@@ -14,8 +14,8 @@
 #include "support/made_world.hpp"
 #include "support/random_scenes.hpp"
 #include "support/rng.hpp"
+#include "world/instance.hpp"
 #include "world/swept_box.hpp"
-#include "world/world_plan.hpp"
 
 namespace taut::testing {
 using namespace internal;
@@ -63,8 +63,8 @@ TEST(SeparationLaws, RangesContainTheirEdges) {
   for (std::uint64_t seed = 100; seed < 100 + effort(60); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const Scene scene = scene_of(random_world(seed));
-    const WorldPlan plan(scene);
-    for (const WorldBody& body : plan.bodies()) {
+    const Instance instance(scene);
+    for (const InstanceBody& body : instance.bodies()) {
       for (const Offset offset : {Offset::outward, Offset::inward}) {
         const DisplacedPolygon& displaced = *body.rings->displaced(offset);
         std::vector<int> seen(displaced.points.size(), 0);
@@ -159,9 +159,9 @@ TEST(SeparationLaws, WindowsContainTheMotion) {
     options.grid = seed % 3 == 0;
     const Scene scene = seed % 4 == 0 ? scene_of(random_world(seed))
                                       : random_scene(seed, all_families[seed % std::size(all_families)], options);
-    const WorldPlan plan(scene);
-    for (int a = 0; a + 1 < static_cast<int>(plan.bodies().size()); a += 2)
-      expect_windows_contain(plan.segments(plan.pair(a, a + 1)), rng);
+    const Instance instance(scene);
+    for (int a = 0; a + 1 < static_cast<int>(instance.bodies().size()); a += 2)
+      expect_windows_contain(instance.segments(instance.pair(a, a + 1)), rng);
   }
 }
 
@@ -170,11 +170,11 @@ TEST(SeparationLaws, SweptBoxesContainTheBodies) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Rng rng(seed);
     const MadeWorld world = random_world(seed);
-    const WorldPlan plan(scene_of(world));
-    const double scale = std::ldexp(1.0, plan.exponent());
-    for (std::size_t i = 0; i < plan.bodies().size(); ++i) {
+    const Instance instance(scene_of(world));
+    const double scale = std::ldexp(1.0, instance.exponent());
+    for (std::size_t i = 0; i < instance.bodies().size(); ++i) {
       const double from = rng.real(0, world.end), to = rng.chance(0.2) ? world.end : rng.real(from, world.end);
-      const SweptBox box = swept_box(plan.bodies()[i], from, to);
+      const SweptBox box = swept_box(instance.bodies()[i], from, to);
       for (int k = 0; k <= 8; ++k) {
         for (const PartAtPose& part : posed(world, static_cast<int>(i), from + (to - from) * k / 8)) {
           for (const Complex& p : part[0]) {
@@ -185,8 +185,8 @@ TEST(SeparationLaws, SweptBoxesContainTheBodies) {
         }
       }
       // No more than a window's motion larger than need be.
-      const SweptBox now = swept_box(plan.bodies()[i], from, from);
-      EXPECT_LE(now.longest(), 3 * diagonal(plan.bodies()[i].rings->bounds()) + 1e-9);
+      const SweptBox now = swept_box(instance.bodies()[i], from, from);
+      EXPECT_LE(now.longest(), 3 * diagonal(instance.bodies()[i].rings->bounds()) + 1e-9);
     }
   }
 }
@@ -234,12 +234,12 @@ TEST(SeparationLaws, DirectionsSeparate) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Rng rng(seed);
     const MadeWorld world = random_world(seed);
-    const WorldPlan plan(scene_of(world));
-    const double scale = std::ldexp(1.0, plan.exponent());
-    for (int a = 0; a + 1 < static_cast<int>(plan.bodies().size()); ++a) {
-      const PairPlan pair = plan.pair(a, a + 1);
+    const Instance instance(scene_of(world));
+    const double scale = std::ldexp(1.0, instance.exponent());
+    for (int a = 0; a + 1 < static_cast<int>(instance.bodies().size()); ++a) {
+      const BodyPair pair = instance.pair(a, a + 1);
       const EdgeRanges p(*pair.rings[0]->displaced(Offset::inward)), q(*pair.rings[1]->displaced(Offset::inward));
-      for (const MotionSegment& segment : plan.segments(pair)) {
+      for (const MotionSegment& segment : instance.segments(pair)) {
         if (segment.bridge) continue;
         const double length = (segment.end - segment.start) / 16, from = rng.real(segment.start, segment.end - length);
         if (!proof::separating_step(MotionWindow(segment, from, from + length), p[EdgeRanges::all], q[EdgeRanges::all]))
@@ -270,11 +270,11 @@ TEST(SeparationLaws, VerticesStayAsideAsWindowsSay) {
   for (std::uint64_t seed = 1100; seed < 1100 + effort(60); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Rng rng(seed);
-    const WorldPlan plan(scene_of(random_world(seed)));
-    const PairPlan pair = plan.pair(0, 1);
+    const Instance instance(scene_of(random_world(seed)));
+    const BodyPair pair = instance.pair(0, 1);
     const PairGeometry g = displaced_pair(pair, seed % 2 == 0 ? Offset::inward : Offset::outward);
     const std::uint32_t nq = g.size() - g.np;
-    for (const MotionSegment& segment : plan.segments(pair)) {
+    for (const MotionSegment& segment : instance.segments(pair)) {
       const MotionWindow window = random_window(segment, rng);
       const double from = window.from(), to = window.to();
       for (int i = 0; i < 20; ++i) {
@@ -355,8 +355,8 @@ TEST(SeparationLaws, WindowsSeeWhatWaysComeTo) {
   for (std::uint64_t seed = 1300; seed < 1300 + effort(60); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Rng rng(seed);
-    const WorldPlan plan(scene_of(random_world(seed)));
-    for (const MotionSegment& segment : plan.segments(plan.pair(0, 1))) {
+    const Instance instance(scene_of(random_world(seed)));
+    for (const MotionSegment& segment : instance.segments(instance.pair(0, 1))) {
       if (segment.bridge) continue;
       for (int i = 0; i < 30; ++i) {
         const MotionWindow window = random_window(segment, rng);

@@ -30,14 +30,14 @@ bool same(const Ref& f, int body, int index) {
 }
 
 /// The enclosures overlap, or nearly; and where they are those of one pair, it is the same pair.
-void compare_contacts(const PairPlan& plan, const PairGeometry& g, const MotionSegment& segment,
+void compare_contacts(const BodyPair& bodies, const PairGeometry& g, const MotionSegment& segment,
                       const SpacetimeResult& second, const Contact& first, Counts& counts) {
   const double lo = segment.time(second.lo), hi = segment.time(second.found.hi);
   const double scale = std::max(1.0, std::fabs(hi));
   EXPECT_LE(lo, first.time.hi + 1e-12 * scale);
   EXPECT_GE(hi, first.time.lo - 1e-12 * scale);
   EXPECT_LE(hi - lo, 1e-11 * scale);
-  const FeatureMap features(plan, g, Offset::inward);
+  const FeatureMap features(bodies, g, Offset::inward);
   const bool agree =
       first.vertex == features.vertex(second.found.vertex) && first.edge == features.edge(second.found.edge);
   if (!agree) ++counts.other_pair;
@@ -48,9 +48,9 @@ void compare(const Scene& scene, Touch touch, Counts& counts) {
   CheckOptions options;
   options.touch = touch;
   const Answer first = check(scene, options);
-  const PairPlan plan = plan_pair(scene);
-  const PairGeometry geometry = displaced_pair(plan, offset_for(touch));
-  const MotionSegments segments = segments_of(plan, scene.start, scene.end);
+  const BodyPair bodies = pair_of(scene);
+  const PairGeometry geometry = displaced_pair(bodies, offset_for(touch));
+  const MotionSegments segments = segments_of(bodies, scene.start, scene.end);
   if (spacetime::overlapping(geometry, segments[0], scene.start)) {
     ++counts.overlap;
     const bool at_start = first.contact && first.contact->time.hi == scene.start;
@@ -67,7 +67,7 @@ void compare(const Scene& scene, Touch touch, Counts& counts) {
   ASSERT_EQ(first.outcome, Outcome::contact);
   ++counts.contact;
   ASSERT_EQ(second.outcome, SpacetimeResult::contact) << "kinetic: contact at " << first.contact->time.lo;
-  compare_contacts(plan, geometry, segments[second.segment], second, *first.contact, counts);
+  compare_contacts(bodies, geometry, segments[second.segment], second, *first.contact, counts);
 }
 
 TEST(SpacetimeKinetic, RandomScenesOfAllFamilies) {

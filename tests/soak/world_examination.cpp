@@ -19,7 +19,7 @@
 #include "taut/proof.hpp"
 #include "taut/simulation.hpp"
 #include "taut/static_map.hpp"
-#include "world/world_plan.hpp"
+#include "world/instance.hpp"
 
 namespace taut::testing {
 using namespace internal;
@@ -53,7 +53,7 @@ class WorldExamination {
 
   std::string run() {
     tally_.large += scene_.bodies.size() >= large_count;
-    if (WorldPlan(scene_).coverage(0).is_empty()) return untested();
+    if (Instance(scene_).coverage(0).is_empty()) return untested();
     for (const Touch touch : {Touch::open, Touch::closed}) {
       options_.touch = touch;
       for (const auto ask : {&WorldExamination::pairs, &WorldExamination::engines, &WorldExamination::simulated,
@@ -298,7 +298,7 @@ class WorldExamination {
                                 "seen from a moving frame"};
     const int which = rng_.below(5);
     // Where nothing moves relative to anything else every pair is asked about, and not any more with a body that moves.
-    const bool alike = WorldPlan(scene_).tests_groups();
+    const bool alike = Instance(scene_).tests_groups();
     if (which == 0) other = cut_at_seams(rng_, world_, cut);
     if (which == 1 && !alike) other = carried_as_a_whole(rng_, world_);
     if (which == 2 && !alike) other = with_far_bodies(rng_.next(), world_);

@@ -137,13 +137,12 @@ AuditResult audit(const Scene& scene, Touch touch, AuditCounts& counts, unsigned
   return result;
 }
 
-RingAudit audit_rings(const WorldPlan& world, int a, int b, Offset offset, AuditCounts& counts,
-                      unsigned compare_every) {
+RingAudit audit_rings(const Instance& world, int a, int b, Offset offset, AuditCounts& counts, unsigned compare_every) {
   RingAudit result;
   RepairCounter observer(counts);
   ++counts.scenes;
   guarded(result, [&] {
-    const PairPlan plan = world.pair(a, b);
+    const BodyPair plan = world.pair(a, b);
     const PairGeometry geometry = displaced_pair(plan, offset);
     RingEngines engines(plan, geometry, offset, world.segments(plan), &observer);
     if (engines.overlap()) {

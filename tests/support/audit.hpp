@@ -9,7 +9,7 @@
 #include "kinetic/ring_engines.hpp"
 #include "kinetic/session.hpp"
 #include "taut/scene.hpp"
-#include "world/world_plan.hpp"
+#include "world/instance.hpp"
 
 namespace taut::testing {
 using namespace internal;
@@ -37,7 +37,7 @@ struct RingAudit : AuditResult {
   std::optional<RingEngines::Found> found;
   unsigned contained = 0;  ///< pairs of rings of which one is in a hole
 };
-RingAudit audit_rings(const WorldPlan& world, int a, int b, Offset offset, AuditCounts& counts,
+RingAudit audit_rings(const Instance& world, int a, int b, Offset offset, AuditCounts& counts,
                       unsigned compare_every = 1);
 
 /// Compares the session's map with the static one at the middle between the present and the next event; says what

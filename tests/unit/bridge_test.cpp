@@ -12,7 +12,7 @@
 
 #include "base/budget.hpp"
 #include "generators/generators.hpp"
-#include "pair/pair_plan.hpp"
+#include "pair/body_pair.hpp"
 #include "pair/placement.hpp"
 #include "relative/make_segments.hpp"
 #include "support/effort.hpp"
@@ -140,9 +140,9 @@ void compare_bridges(const Placement& placement, BridgeCounts& counts) {
 
 /// At some instants of a scene's first segment.
 void compare_bridges(const Scene& scene, int instants, BridgeCounts& counts) {
-  const PairPlan plan = plan_pair(scene);
-  const MotionSegments segments = segments_of(plan, scene.start, scene.end);
-  const PairGeometry geometry = displaced_pair(plan, Offset::inward);
+  const BodyPair bodies = pair_of(scene);
+  const MotionSegments segments = segments_of(bodies, scene.start, scene.end);
+  const PairGeometry geometry = displaced_pair(bodies, Offset::inward);
   for (int i = 0; i < instants; ++i) {
     const double t = segments[0].start + (segments[0].end - segments[0].start) * (i + 0.5) / instants;
     compare_bridges(Placement(geometry, segments[0], t), counts);
@@ -197,9 +197,9 @@ TEST(RootBridge, IsTheOneByDefinitionBetweenManyVertices) {
 TEST(RootBridge, CostsInProportionToTheChains) {
   const auto cost = [](int lip_points) {
     const Scene scene = tight_mouth({lip_points, 0.1, 6, 0, 1.2});
-    const PairPlan plan = plan_pair(scene);
-    const MotionSegments segments = segments_of(plan, scene.start, scene.end);
-    const PairGeometry geometry = displaced_pair(plan, Offset::inward);
+    const BodyPair bodies = pair_of(scene);
+    const MotionSegments segments = segments_of(bodies, scene.start, scene.end);
+    const PairGeometry geometry = displaced_pair(bodies, Offset::inward);
     const Placement placement(geometry, segments[0], scene.start);
     const FreeChains chains = chains_at(placement).value();
     EXPECT_GT(chains.a.size() + chains.b.size(), static_cast<std::size_t>(lip_points) / 2);

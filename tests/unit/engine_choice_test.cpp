@@ -160,11 +160,11 @@ TEST(Either, SaysWhatThatEngineSaysByItself) {
 /// Searches that are left and taken up again.
 TEST(Either, ManyShortSlicesAreOneLongOne) {
   const Scene scene = gen::make_gears({});
-  const WorldPlan plan(scene);
+  const Instance instance(scene);
   for (const EngineChoice engine : {EngineChoice::kinetic, EngineChoice::spacetime}) {
     EventBudget budget(UINT64_MAX);
-    const auto whole = pair_solver({engine}, plan, 0, 1, Offset::inward, budget),
-               parts = pair_solver({engine}, plan, 0, 1, Offset::inward, budget);
+    const auto whole = pair_solver({engine}, instance, 0, 1, Offset::inward, budget),
+               parts = pair_solver({engine}, instance, 0, 1, Offset::inward, budget);
     whole->ask(scene.start, scene.end);
     int slices = 1;
     for (std::uint64_t effort = 1; !parts->work(scene.start, scene.end, effort); effort = effort * 3 / 2 + 1) ++slices;

@@ -7,7 +7,7 @@
 
 #include "kinetic/session.hpp"
 #include "motion/pieces.hpp"
-#include "pair/pair_plan.hpp"
+#include "pair/body_pair.hpp"
 #include "relative/make_segments.hpp"
 #include "sign/precise_triple.hpp"
 #include "support/effort.hpp"
@@ -27,10 +27,10 @@ struct CurvedSetting {
     SceneOptions options;
     options.grid = seed % 3 != 0;
     const Scene scene = random_scene(seed, all_families[seed % std::size(all_families)], options);
-    const PairPlan plan = plan_pair(scene);
+    const BodyPair bodies = pair_of(scene);
     CurvedSetting s;
-    s.geometry = displaced_pair(plan, seed % 2 == 0 ? Offset::inward : Offset::outward);
-    for (const MotionSegment& segment : segments_of(plan, scene.start, scene.end)) {
+    s.geometry = displaced_pair(bodies, seed % 2 == 0 ? Offset::inward : Offset::outward);
+    for (const MotionSegment& segment : segments_of(bodies, scene.start, scene.end)) {
       if (!segment.bridge && !(segment.translation && segment.degree <= 1)) s.segments.push_back(segment);
     }
     return s;
@@ -138,9 +138,9 @@ TEST(FixedPointExpansion, TurnsTellWhetherZeroIsReached) {
   for (const double height : {0.0, 0x1p-56, -0x1p-56, 0x1p-50, -0x1p-50}) {
     for (const Offset offset : {Offset::inward, Offset::outward}) {
       const Scene scene = riding(height);
-      const PairPlan plan = plan_pair(scene);
-      const PairGeometry geometry = displaced_pair(plan, opposite(offset));
-      const MotionSegment segment = segments_of(plan, scene.start, scene.end).front();
+      const BodyPair bodies = pair_of(scene);
+      const PairGeometry geometry = displaced_pair(bodies, opposite(offset));
+      const MotionSegment segment = segments_of(bodies, scene.start, scene.end).front();
       FrameExpansionCache frames;
       frames.reset(segment);
       const FrameExpansion* const frame = frames.around(0.25 + 1e-12, 0.25 + 1e-12);

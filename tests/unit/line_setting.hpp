@@ -2,7 +2,7 @@
 #pragma once
 
 #include "motion/pieces.hpp"
-#include "pair/pair_plan.hpp"
+#include "pair/body_pair.hpp"
 #include "relative/make_segments.hpp"
 #include "relative/motion_segment.hpp"
 #include "sign/precise_function.hpp"
@@ -21,10 +21,10 @@ struct LineSetting {
     options.grid = grid;
     options.kinds = {MotionKind::rest, MotionKind::linear};
     const Scene scene = random_scene(seed, all_families[seed % std::size(all_families)], options);
-    const PairPlan plan = plan_pair(scene);
+    const BodyPair bodies = pair_of(scene);
     LineSetting s;
-    s.geometry = displaced_pair(plan, seed % 2 == 0 ? Offset::inward : Offset::outward);
-    for (const MotionSegment& segment : segments_of(plan, scene.start, scene.end)) {
+    s.geometry = displaced_pair(bodies, seed % 2 == 0 ? Offset::inward : Offset::outward);
+    for (const MotionSegment& segment : segments_of(bodies, scene.start, scene.end)) {
       if (!segment.bridge) s.segment = segment;
     }
     return s;

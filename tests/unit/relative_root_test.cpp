@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "pair/pair_plan.hpp"
+#include "pair/body_pair.hpp"
 #include "relative/make_segments.hpp"
 #include "sign/precise_triple.hpp"
 #include "taut/io.hpp"
@@ -54,9 +54,9 @@ struct Counts {
 /// before.
 Counts check_all(const Scene& scene) {
   Counts counts;
-  const PairPlan plan = plan_pair(scene);
-  const PairGeometry geometry = displaced_pair(plan, Offset::inward);
-  const MotionSegment segment = segments_of(plan, scene.start, scene.end).front();
+  const BodyPair bodies = pair_of(scene);
+  const PairGeometry geometry = displaced_pair(bodies, Offset::inward);
+  const MotionSegment segment = segments_of(bodies, scene.start, scene.end).front();
   FrameExpansionCache frames;
   ExpansionCache functions;
   frames.reset(segment);

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "base/budget.hpp"
-#include "pair/pair_plan.hpp"
+#include "pair/body_pair.hpp"
 #include "relative/make_segments.hpp"
 #include "sign/search_from_end.hpp"
 #include "spacetime/crossings_beside_end.hpp"
@@ -58,9 +58,9 @@ void compare(const PairGeometry& geometry, const MotionSegment& segment, bool at
 }
 
 void compare(const Scene& scene, Seen& seen) {
-  const PairPlan plan = plan_pair(scene);
-  const PairGeometry geometry = displaced_pair(plan, Offset::outward);
-  for (const MotionSegment& segment : segments_of(plan, scene.start, scene.end)) {
+  const BodyPair bodies = pair_of(scene);
+  const PairGeometry geometry = displaced_pair(bodies, Offset::outward);
+  for (const MotionSegment& segment : segments_of(bodies, scene.start, scene.end)) {
     for (const bool at_end : {false, true}) {
       if (segment.bridge || !segment.singular_at(at_end ? segment.end : segment.start)) continue;
       for (const Ways ways : {Ways::into, Ways::both}) compare(geometry, segment, at_end, ways, seen);
@@ -100,10 +100,10 @@ TEST(CrossingsBesideEnd, TellOfContactsAtTheEnd) {
 /// it lay outside. In the distance's root a few steps do.
 TEST(RootsBesideAnEnd, AreSharpenedInFewSteps) {
   const Scene scene = read_scene("tests/corpus/roots_beside_an_infinite_speed.json");
-  const PairPlan plan = plan_pair(scene);
-  const PairGeometry geometry = displaced_pair(plan, Offset::outward);
+  const BodyPair bodies = pair_of(scene);
+  const PairGeometry geometry = displaced_pair(bodies, Offset::outward);
   int sharpened = 0;
-  for (const MotionSegment& segment : segments_of(plan, scene.start, scene.end)) {
+  for (const MotionSegment& segment : segments_of(bodies, scene.start, scene.end)) {
     if (segment.bridge || !segment.singular_at(segment.start)) continue;
     PreciseCrossings crossings(geometry, segment, Ways::both);
     const auto np = static_cast<std::uint32_t>(geometry.np), all = static_cast<std::uint32_t>(geometry.size());
@@ -143,9 +143,9 @@ Scene dip_in_the_last_double() {
 
 TEST(CrossingsBesideEnd, TwoInOneDoubleStayApart) {
   const Scene scene = dip_in_the_last_double();
-  const PairPlan plan = plan_pair(scene);
-  const PairGeometry geometry = displaced_pair(plan, Offset::outward);
-  const MotionSegments segments = segments_of(plan, scene.start, scene.end);
+  const BodyPair bodies = pair_of(scene);
+  const PairGeometry geometry = displaced_pair(bodies, Offset::outward);
+  const MotionSegments segments = segments_of(bodies, scene.start, scene.end);
   const MotionSegment& segment = segments[segments.size() - 1];
   int pairs = 0;
   for (std::uint32_t e = 0; e < geometry.np; ++e) {

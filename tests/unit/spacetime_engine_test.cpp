@@ -38,8 +38,8 @@ struct Setting {
 };
 
 Setting setting(const Scene& scene, Offset offset = Offset::inward) {
-  const PairPlan plan = plan_pair(scene);
-  return {displaced_pair(plan, offset), segments_of(plan, scene.start, scene.end)};
+  const BodyPair bodies = pair_of(scene);
+  return {displaced_pair(bodies, offset), segments_of(bodies, scene.start, scene.end)};
 }
 
 DisplacedPoint exactly(const Point& p) { return {p.x, p.y, 0, 0}; }

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "pair/pair_plan.hpp"
+#include "pair/body_pair.hpp"
 #include "relative/make_segments.hpp"
 #include "spacetime/first_contact.hpp"
 #include "support/effort.hpp"
@@ -44,11 +44,11 @@ TEST(Glances, WhatTheyShowIsFree) {
     Scene scene;
     scene.end = 1;
     for (const char* name : {"a", "b"}) scene.bodies.push_back({name, star(rng), {{uniform_piece(rng)}}});
-    const PairPlan plan = plan_pair(scene);
-    const PairGeometry geometry = displaced_pair(plan, rng.chance(0.5) ? Offset::inward : Offset::outward);
+    const BodyPair bodies = pair_of(scene);
+    const PairGeometry geometry = displaced_pair(bodies, rng.chance(0.5) ? Offset::inward : Offset::outward);
     const Hierarchy p = hierarchy_of_p(geometry), q = hierarchy_of_q(geometry);
     const double from = rng.real(0, 1), to = from + (1 - from) * rng.unit();
-    const MotionSegments segments = segments_of(plan, from, to);
+    const MotionSegments segments = segments_of(bodies, from, to);
     for (const MotionSegment& segment : segments) {
       const bool apart = quickly_apart({p, q}, segment, segment.start, segment.end);
       const SpacetimeResult truth = first_contact(geometry, {p, q}, MotionSegments(segment));

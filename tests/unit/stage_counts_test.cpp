@@ -3,7 +3,7 @@
 
 #include "kinetic/session.hpp"
 #include "numeric/stages.hpp"
-#include "pair/pair_plan.hpp"
+#include "pair/body_pair.hpp"
 #include "sign/precise_triple.hpp"
 #include "taut/check.hpp"
 #include "taut/io.hpp"
@@ -54,9 +54,9 @@ TEST(StageCounts, EachEngineSaysThatBodiesTouchAtAnInfiniteSpeed) {
 
 TEST(StageCounts, APrecisionThatTellsIsCountedAsItself) {
   const Scene scene = passing("1");
-  const PairPlan plan = plan_pair(scene);
-  const PairGeometry geometry = displaced_pair(plan, Offset::inward);
-  MotionSegment segment = MotionSegment::motion(plan.motions[0][0][0], plan.motions[1][0][0], 0, 4);
+  const BodyPair bodies = pair_of(scene);
+  const PairGeometry geometry = displaced_pair(bodies, Offset::inward);
+  MotionSegment segment = MotionSegment::motion(bodies.motions[0][0][0], bodies.motions[1][0][0], 0, 4);
   FrameMemory memory;
   memory.reset(segment);
   const PreciseTriple function(

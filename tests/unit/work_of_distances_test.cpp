@@ -60,8 +60,8 @@ TEST(WorkOfAProfile, OfSliversThatTurn) { expect_profile("cosine_ends_at_a_joint
 /// that, and the walk that took them went on for more than ten minutes. It leaves the rest to margins now, and says so.
 TEST(WorkOfASearch, GivesUpWhereEdgesStayAsNear) {
   const Scene scene = in_corpus("cosine_ends_at_a_joint");
-  const WorldPlan plan(scene);
-  const PairInstance search(plan, 0, 1, Offset::outward);
+  const Instance instance(scene);
+  const PairInstance search(instance, 0, 1, Offset::outward);
   spacetime::Nearest nearest;
   nearest.distance = INFINITY;
   const Budget limit(Limits{many_seconds});

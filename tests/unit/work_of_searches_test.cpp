@@ -68,9 +68,9 @@ INSTANTIATE_TEST_SUITE_P(
 
 std::uint64_t work_in_slices(const Scene& scene, EngineChoice engine, std::uint64_t first) {
   const std::uint64_t before = work_spent();
-  const WorldPlan plan(scene);
+  const Instance instance(scene);
   EventBudget budget(UINT64_MAX);
-  const auto solver = pair_solver({engine}, plan, 0, 1, Offset::inward, budget);
+  const auto solver = pair_solver({engine}, instance, 0, 1, Offset::inward, budget);
   for (std::uint64_t effort = first; !solver->work(scene.start, scene.end, effort);) effort += effort / 8;
   return work_spent() - before;
 }

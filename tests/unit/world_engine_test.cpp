@@ -35,11 +35,11 @@ TEST(WorldEngines, PairsInTurnsKnowTheirBodiesBeforeTheStartIsAsked) {
   scene.bodies = {far_body(),
                   {"rests", {{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {}},
                   {"falls", {{0, 9}, {1, 9}, {1, 10}, {0, 10}}, from_velocity({0, -2})}};
-  const WorldPlan plan(scene);
+  const Instance instance(scene);
   for (const std::uint64_t first_slice : {0, 8192}) {
     EventBudget budget(UINT64_MAX);
     const std::unique_ptr<PairSolver> pair =
-        pair_solver({EngineChoice::either, first_slice}, plan, 1, 2, Offset::inward, budget);
+        pair_solver({EngineChoice::either, first_slice}, instance, 1, 2, Offset::inward, budget);
     EXPECT_EQ(pair->result().a, 1);
     EXPECT_EQ(pair->result().b, 2);
     pair->ask(2, 10);

@@ -18,7 +18,7 @@ using SharedRings = std::shared_ptr<const RingSet>;
 double largest_coordinate(const Body& body);
 
 /// Everything about a pair of bodies that does not depend on the touch mode. Lengths are the input's times 2^exponent.
-struct PairPlan {
+struct BodyPair {
   std::array<SharedRings, 2> rings;  ///< of P and of Q
   /// Of P and of Q: the motions of their parents, the outermost first, and their own, without the common ones. One that
   /// rests if there are no others.
@@ -33,23 +33,23 @@ struct PairPlan {
 
 /// The pair in its roles: P is the body with the larger diameter, and the first one if they are equal (section 2.1 of
 /// the paper). Both chains begin with the outermost parent.
-PairPlan pair_of(const SharedRings& first, const MotionChain& first_motions, const SharedRings& second,
+BodyPair pair_of(const SharedRings& first, const MotionChain& first_motions, const SharedRings& second,
                  const MotionChain& second_motions);
 /// A scene of two bodies without parents, which must be valid.
-PairPlan plan_pair(const Scene& scene);
+BodyPair pair_of(const Scene& scene);
 
 /// The relative motion of P and Q, in a frame that parents which both have are not in.
-MotionSegments segments_of(const PairPlan& pair, double start, double end);
+MotionSegments segments_of(const BodyPair& pair, double start, double end);
 /// The same with the roles exchanged.
-MotionSegments exchanged_segments_of(const PairPlan& pair, double start, double end);
+MotionSegments exchanged_segments_of(const BodyPair& pair, double start, double end);
 
 /// The question about bodies is answered by bodies displaced to this side.
 inline Offset offset_for(Touch touch) { return touch == Touch::open ? Offset::inward : Offset::outward; }
 
 /// The two bodies, displaced. Throws InputError where one of them has features that are finer than
 /// the displacement.
-PairGeometry displaced_pair(const PairPlan& plan, Offset offset);
+PairGeometry displaced_pair(const BodyPair& bodies, Offset offset);
 /// The same, or nothing.
-std::optional<PairGeometry> displaced_pair_if_possible(const PairPlan& plan, Offset offset);
+std::optional<PairGeometry> displaced_pair_if_possible(const BodyPair& bodies, Offset offset);
 
 }  // namespace taut::internal

@@ -1,4 +1,4 @@
-#include "world/world_plan.hpp"
+#include "world/instance.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -36,13 +36,13 @@ std::uint64_t pairs_of(std::uint64_t n) { return n < 2 ? 0 : n * (n - 1) / 2; }
 
 }  // namespace
 
-WorldPlan::WorldPlan(const Scene& scene) : start_(scene.start), end_(scene.end), ignored_(scene) {
+Instance::Instance(const Scene& scene) : start_(scene.start), end_(scene.end), ignored_(scene) {
   add_bodies(scene);
   find_groups();
   tests_groups_ = scene.at_rest == AtRest::test || all_alike();
 }
 
-void WorldPlan::add_bodies(const Scene& scene) {
+void Instance::add_bodies(const Scene& scene) {
   double largest = 0;
   for (const Body& body : scene.bodies) largest = std::max(largest, largest_coordinate(body));
   std::frexp(largest, &exponent_);
@@ -50,7 +50,7 @@ void WorldPlan::add_bodies(const Scene& scene) {
   largest_ = std::ldexp(largest, exponent_);
   bodies_.reserve(scene.bodies.size());
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-    WorldBody body;
+    InstanceBody body;
     body.rings = std::make_shared<const RingSet>(scene.bodies[i], static_cast<int>(i), exponent_);
     const PieceList own = PieceList::between(scene.bodies[i].motion, start_, end_, exponent_);
     if (!own.rests()) body.own = own;
@@ -64,7 +64,7 @@ void WorldPlan::add_bodies(const Scene& scene) {
   }
 }
 
-void WorldPlan::find_parents(const Scene& scene) {
+void Instance::find_parents(const Scene& scene) {
   const auto has_parent = [](const Body& body) { return !body.relative_to.empty(); };
   if (std::none_of(scene.bodies.begin(), scene.bodies.end(), has_parent)) return;
   const std::map<std::string, int> by_name = bodies_by_name(scene);
@@ -73,7 +73,7 @@ void WorldPlan::find_parents(const Scene& scene) {
   }
 }
 
-MotionChain WorldPlan::chain_of(int body) const {
+MotionChain Instance::chain_of(int body) const {
   MotionChain chain;
   for (int k = body; k >= 0; k = bodies_[static_cast<std::size_t>(k)].parent) {
     const PieceList& own = bodies_[static_cast<std::size_t>(k)].own;
@@ -82,7 +82,7 @@ MotionChain WorldPlan::chain_of(int body) const {
   return chain;
 }
 
-std::vector<int> WorldPlan::followers(int body) const {
+std::vector<int> Instance::followers(int body) const {
   std::vector<int> all{body};
   for (std::size_t i = 0; i < all.size(); ++i) {
     const std::vector<int>& seen = children_[static_cast<std::size_t>(all[i])];
@@ -92,7 +92,7 @@ std::vector<int> WorldPlan::followers(int body) const {
   return all;
 }
 
-void WorldPlan::replan(int body, const Motion& motion, double t, double from) {
+void Instance::replan(int body, const Motion& motion, double t, double from) {
   PieceList& own = bodies_[static_cast<std::size_t>(body)].own;
   PieceList fresh = PieceList::between(motion, t, end_, exponent_);
   if (from < t) fresh = fresh.after(own.empty() ? MotionPiece{} : own.at(from), t);
@@ -105,14 +105,14 @@ void WorldPlan::replan(int body, const Motion& motion, double t, double from) {
   for (const int k : changed) join_group(k);
 }
 
-void WorldPlan::note_moving() {
+void Instance::note_moving() {
   moving_.emplace();
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     if (!bodies_[i].motions.empty()) (*moving_)[key_of(bodies_[i].motions)].push_back(static_cast<int>(i));
   }
 }
 
-void WorldPlan::leave_group(int body) {
+void Instance::leave_group(int body) {
   const MotionChain& motions = bodies_[static_cast<std::size_t>(body)].motions;
   if (motions.empty()) return;
   const auto alike = moving_->find(key_of(motions));
@@ -121,8 +121,8 @@ void WorldPlan::leave_group(int body) {
 }
 
 /// That of another body that moves alike, or one of its own.
-void WorldPlan::join_group(int body) {
-  WorldBody& joining = bodies_[static_cast<std::size_t>(body)];
+void Instance::join_group(int body) {
+  InstanceBody& joining = bodies_[static_cast<std::size_t>(body)];
   if (joining.motions.empty()) {
     if (resting_ < 0) resting_ = groups_++;
     joining.group = resting_;
@@ -136,10 +136,10 @@ void WorldPlan::join_group(int body) {
   alike.push_back(body);
 }
 
-void WorldPlan::find_groups() {
+void Instance::find_groups() {
   // One body of each group, by the key of its motion.
   std::unordered_map<double, std::vector<int>> representatives;
-  for (WorldBody& body : bodies_) {
+  for (InstanceBody& body : bodies_) {
     if (body.motions.empty()) {
       if (resting_ < 0) resting_ = groups_++;
       body.group = resting_;
@@ -159,14 +159,14 @@ void WorldPlan::find_groups() {
   }
 }
 
-bool WorldPlan::asked(int a, int b) const {
+bool Instance::asked(int a, int b) const {
   const bool together = bodies_[static_cast<std::size_t>(a)].group == bodies_[static_cast<std::size_t>(b)].group;
   return (!together || tests_groups_) && !ignored_.has(a, b);
 }
 
 /// Does nothing move relative to anything else? Bodies that are ignored altogether, as what carries others, do not
 /// count.
-bool WorldPlan::all_alike() const {
+bool Instance::all_alike() const {
   int group = -1;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     if (ignored_.has_all(static_cast<int>(i))) continue;
@@ -177,7 +177,7 @@ bool WorldPlan::all_alike() const {
 }
 
 /// All pairs, and those that are not asked about.
-Coverage WorldPlan::excluded() const {
+Coverage Instance::excluded() const {
   const std::uint64_t n = bodies_.size();
   std::vector<std::uint64_t> size(static_cast<std::size_t>(groups_), 0);  // of the group, without those that ignore all
   std::uint64_t listening = 0;
@@ -203,15 +203,15 @@ Coverage WorldPlan::excluded() const {
   return count;
 }
 
-Coverage WorldPlan::coverage(std::uint64_t tested) const {
+Coverage Instance::coverage(std::uint64_t tested) const {
   Coverage all = excluded();
   all.tested = tested;
   all.apart = all.pairs - all.untested() - tested;
   return all;
 }
 
-PairPlan WorldPlan::pair(int a, int b) const {
-  const WorldBody &first = bodies_[static_cast<std::size_t>(a)], &second = bodies_[static_cast<std::size_t>(b)];
+BodyPair Instance::pair(int a, int b) const {
+  const InstanceBody &first = bodies_[static_cast<std::size_t>(a)], &second = bodies_[static_cast<std::size_t>(b)];
   return pair_of(first.rings, first.motions, second.rings, second.motions);
 }
 

@@ -9,15 +9,15 @@
 #include <utility>
 #include <vector>
 
+#include "pair/body_pair.hpp"
 #include "pair/ignored_pairs.hpp"
-#include "pair/pair_plan.hpp"
 #include "relative/make_segments.hpp"
 #include "taut/check.hpp"
 
 namespace taut::internal {
 
 /// One body: its rings, and how it moves.
-struct WorldBody {
+struct InstanceBody {
   SharedRings rings;
   /// Of its parents, the outermost first, and its own; those that rest are left out. Scaled.
   MotionChain motions;
@@ -27,12 +27,12 @@ struct WorldBody {
 };
 
 /// All bodies in one scale, their groups, and which pairs are asked about.
-class WorldPlan {
+class Instance {
  public:
   /// The scene must be valid.
-  explicit WorldPlan(const Scene& scene);
+  explicit Instance(const Scene& scene);
 
-  const std::vector<WorldBody>& bodies() const { return bodies_; }
+  const std::vector<InstanceBody>& bodies() const { return bodies_; }
   double start() const { return start_; }
   double end() const { return end_; }
   /// Internal coordinates are the input's times 2^exponent.
@@ -54,9 +54,9 @@ class WorldPlan {
   /// The body and all that are seen from it, directly or not, in order.
   std::vector<int> followers(int body) const;
 
-  PairPlan pair(int a, int b) const;
+  BodyPair pair(int a, int b) const;
   /// Of that pair, from start to end.
-  MotionSegments segments(const PairPlan& pair) const { return segments_of(pair, start_, end_); }
+  MotionSegments segments(const BodyPair& pair) const { return segments_of(pair, start_, end_); }
 
  private:
   void add_bodies(const Scene& scene);
@@ -72,7 +72,7 @@ class WorldPlan {
   double start_, end_;
   int exponent_ = 0;
   double largest_ = 0;
-  std::vector<WorldBody> bodies_;
+  std::vector<InstanceBody> bodies_;
   std::vector<std::vector<int>> children_;
   int groups_ = 0;
   int resting_ = -1;  ///< the group of the bodies that rest, if there was one

@@ -1,4 +1,4 @@
-#include "pair/pair_plan.hpp"
+#include "pair/body_pair.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -25,20 +25,20 @@ double largest_coordinate(const Body& body) {
   return largest;
 }
 
-PairPlan pair_of(const SharedRings& first, const MotionChain& first_motions, const SharedRings& second,
+BodyPair pair_of(const SharedRings& first, const MotionChain& first_motions, const SharedRings& second,
                  const MotionChain& second_motions) {
   const bool swap = second->diameter_squared() > first->diameter_squared();
   const MotionChain &p = swap ? second_motions : first_motions, &q = swap ? first_motions : second_motions;
   const std::size_t common = count_common(p, q);
-  PairPlan plan;
-  plan.exponent = first->exponent();
-  plan.rings = {swap ? second : first, swap ? first : second};
-  plan.motions = {without_first(p, common), without_first(q, common)};
-  plan.common.assign(p.begin(), p.begin() + static_cast<std::ptrdiff_t>(common));
-  return plan;
+  BodyPair bodies;
+  bodies.exponent = first->exponent();
+  bodies.rings = {swap ? second : first, swap ? first : second};
+  bodies.motions = {without_first(p, common), without_first(q, common)};
+  bodies.common.assign(p.begin(), p.begin() + static_cast<std::ptrdiff_t>(common));
+  return bodies;
 }
 
-PairPlan plan_pair(const Scene& scene) {
+BodyPair pair_of(const Scene& scene) {
   count_work(work_of_plan);
   int exponent = 0;
   std::frexp(std::max(largest_coordinate(scene.bodies[0]), largest_coordinate(scene.bodies[1])), &exponent);
@@ -52,21 +52,21 @@ PairPlan plan_pair(const Scene& scene) {
   return pair_of(rings[0], motions[0], rings[1], motions[1]);
 }
 
-MotionSegments segments_of(const PairPlan& pair, double start, double end) {
+MotionSegments segments_of(const BodyPair& pair, double start, double end) {
   return MotionSegments(pair.motions[0], pair.motions[1], start, end);
 }
 
-MotionSegments exchanged_segments_of(const PairPlan& pair, double start, double end) {
+MotionSegments exchanged_segments_of(const BodyPair& pair, double start, double end) {
   return MotionSegments(pair.motions[1], pair.motions[0], start, end);
 }
 
-PairGeometry displaced_pair(const PairPlan& plan, Offset offset) {
-  return {plan.rings[0]->displaced(offset), plan.rings[1]->displaced(offset)};
+PairGeometry displaced_pair(const BodyPair& bodies, Offset offset) {
+  return {bodies.rings[0]->displaced(offset), bodies.rings[1]->displaced(offset)};
 }
 
-std::optional<PairGeometry> displaced_pair_if_possible(const PairPlan& plan, Offset offset) {
+std::optional<PairGeometry> displaced_pair_if_possible(const BodyPair& bodies, Offset offset) {
   try {
-    return displaced_pair(plan, offset);
+    return displaced_pair(bodies, offset);
   } catch (const InputError&) {
     return std::nullopt;
   }
