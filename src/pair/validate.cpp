@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "geometry/predicates.hpp"
 #include "pair/curved_world.hpp"
 #include "pair/validate_scene.hpp"
 #include "taut/error.hpp"
