@@ -111,8 +111,8 @@ TEST(LaterScenes, HaveTheSameAnswersLater) {
     }
     if (::testing::Test::HasFailure()) FAIL() << write_scene(scene);
   }
-  EXPECT_GT(tally.asked, static_cast<int>(effort(200)));
-  EXPECT_GT(tally.contacts, static_cast<int>(effort(60)));
+  EXPECT_GT(tally.asked, static_cast<int>(enough(200)));
+  EXPECT_GT(tally.contacts, static_cast<int>(enough(60)));
 }
 
 TEST(LaterScenes, OfManyBodiesToo) {
@@ -127,8 +127,8 @@ TEST(LaterScenes, OfManyBodiesToo) {
     }
     if (::testing::Test::HasFailure()) FAIL() << write_scene(scene);
   }
-  EXPECT_GT(tally.asked, static_cast<int>(effort(200)));
-  EXPECT_GT(tally.intervals, static_cast<int>(effort(60)));
+  EXPECT_GT(tally.asked, static_cast<int>(enough(200)));
+  EXPECT_GT(tally.intervals, static_cast<int>(enough(60)));
 }
 
 }  // namespace
