@@ -98,9 +98,10 @@ struct CheckOptions {
   /// Of a scene with curves: how wide the time of a contact may be, as a share of the scene's time. Polygons are
   /// refined until they tell it as well as that, or doubles end.
   double time_tolerance = 1e-9;
-  /// Told of every event of the kinetic engine, which is all of the motion's if that engine is asked alone
-  /// (EngineChoice::kinetic); may be null. Not owned. Of a scene with curves, events are those of the
-  /// polygons that stand for them, run after run.
+  /// Notified of every event of the kinetic engine, which are all events of the motion if that engine is asked alone
+  /// (EngineChoice::kinetic); may be null. Not owned. The scene must be two bodies, each one polygon in the
+  /// world's frame; otherwise InputError. Of a scene with curves, events are those of the polygons that stand for
+  /// them, run after run.
   Tracer* tracer = nullptr;
   /// The wall time is that of each engine; with `either`, of both together.
   Limits limits = {};

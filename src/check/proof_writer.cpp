@@ -39,6 +39,7 @@ void ProofWriter::on_event(const KineticSolver& solver, const EngineEvent& event
   }
   out_.f64(at);
   out_.u32(event.corner.value);
+  if (trace_) trace_->on_event(solver, event);
 }
 
 /// An instant so close to the event that the verifier finds it there. Where a function is flat, the engine's enclosure
@@ -101,7 +102,7 @@ void ProofWriter::contact_at_start(const KineticSolver& solver) {
 Answer prove_by_tiling(const Scene& scene, std::ostream& log, const CheckOptions& given) {
   CheckOptions options = given;
   options.engine = EngineChoice::kinetic;
-  ProofWriter writer(scene, options.touch, log);
+  ProofWriter writer(scene, options.touch, log, options.tracer);
   Run run(scene, options, &writer);
   run.run();
   writer.end(run.answer());

@@ -4,6 +4,7 @@
 #include <iosfwd>
 
 #include "check/run.hpp"
+#include "check/trace_writer.hpp"
 #include "proof/bytes.hpp"
 #include "proof/format.hpp"
 
@@ -12,7 +13,11 @@ namespace taut::internal {
 /// Observes one run. The log is complete when end() returns.
 class ProofWriter final : public KineticObserver {
  public:
-  ProofWriter(const Scene& scene, Touch touch, std::ostream& log) : scene_(scene), touch_(touch), out_(log) {}
+  /// The tracer, which may be null, is notified of the same events.
+  ProofWriter(const Scene& scene, Touch touch, std::ostream& log, Tracer* tracer = nullptr)
+      : scene_(scene), touch_(touch), out_(log) {
+    if (tracer) trace_.emplace(*tracer);
+  }
 
   void started(const KineticSolver& solver) override;
   void on_event(const KineticSolver& solver, const EngineEvent& event) override;
@@ -31,6 +36,7 @@ class ProofWriter final : public KineticObserver {
   const Scene& scene_;
   Touch touch_;
   proof::ByteWriter out_;
+  std::optional<TraceWriter> trace_;
   std::size_t segment_ = 0;
   MotionSegments segments_;  ///< of the observed pair
   bool started_ = false;     ///< is there a header?

@@ -22,6 +22,10 @@ Answer prove(const Scene& scene, std::ostream& log, const CheckOptions& given) {
   // to all of them together.
   const Budget scope(options.limits);
   if (has_curves(scene)) return prove_curves(scene, log, options);
+  if (options.tracer) {
+    validate_polygons(scene);
+    require_ring_pair(scene, "a trace");
+  }
   if (!is_ring_pair(scene)) return prove_by_separations(scene, log, options);
   switch (options.engine) {
     case EngineChoice::kinetic:

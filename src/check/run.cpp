@@ -30,6 +30,9 @@ Run::Run(const Scene& scene, const CheckOptions& options, KineticObserver* obser
   if (is_ring_pair(scene)) choice_.first_slice = PortfolioMember::first_turn;
   answer_.engine = options.engine == EngineChoice::kinetic ? EngineName::kinetic : EngineName::spacetime;
   answer_.free_until = scene.start;
+  // All that is known of the coverage if a limit ends the run at once.
+  const std::uint64_t n = scene.bodies.size();
+  answer_.coverage.pairs = n < 2 ? 0 : n * (n - 1) / 2;
 }
 
 void Run::run() {
@@ -161,6 +164,7 @@ Answer Run::answer_with_touching() const {
 Answer run_engines(const Scene& scene, const CheckOptions& options) {
   std::optional<TraceWriter> trace;
   if (options.tracer) {
+    validate_polygons(scene);
     require_ring_pair(scene, "a trace");
     trace.emplace(*options.tracer);
   }

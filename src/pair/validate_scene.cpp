@@ -118,21 +118,19 @@ void validate_ignored(const Scene& scene, const Names& names) {
 }  // namespace
 
 bool is_ring_pair(const Scene& scene) {
-  const auto one_ring = [](const Body& body) {
-    const bool simple = body.parts.empty() || (body.parts.size() == 1 && body.parts[0].holes.empty());
-    return simple && body.curves.empty() && body.relative_to.empty();
+  const auto polygon = [](const Body& body) {
+    return body.parts.empty() && body.curves.empty() && body.relative_to.empty();
   };
   return scene.bodies.size() == 2 && scene.ignore.empty() &&
-         std::all_of(scene.bodies.begin(), scene.bodies.end(), one_ring);
+         std::all_of(scene.bodies.begin(), scene.bodies.end(), polygon);
 }
 
 void require_ring_pair(const Scene& scene, const std::string& use) {
   for (const Body& body : scene.bodies) refuse_curves(body);
   if (is_ring_pair(scene)) return;
-  throw InputError(
-      "bodies",
-      use + " needs two bodies, each one polygon without holes in the world's frame, and the scene is another one",
-      "`check` takes any number of bodies, with parts, holes, parents and ignored pairs");
+  throw InputError("bodies",
+                   use + " needs two bodies, each one polygon in the world's frame, and the scene is another one",
+                   "`check` takes any number of bodies, with parts, holes, parents and ignored pairs");
 }
 
 void validate_polygons(const Scene& scene) {

@@ -8,6 +8,7 @@
 #include "log_text.hpp"
 #include "support/effort.hpp"
 #include "support/random_scenes.hpp"
+#include "taut/error.hpp"
 #include "taut/io.hpp"
 
 namespace taut::testing {
@@ -133,6 +134,30 @@ TEST(ValidLogs, AnotherVersionIsRefusedWithAdvice) {
   } catch (const ProofError& error) {
     EXPECT_NE(std::string(error.what()).find("prove again"), std::string::npos) << error.what();
   }
+}
+
+class EventCounter final : public Tracer {
+ public:
+  void on_event(const TraceEvent& event) override { numbers.push_back(event.number); }
+  std::vector<std::uint64_t> numbers;
+};
+
+/// Whoever traces a run that is proved sees all of its events. A tracer had been forgotten there.
+TEST(ValidLogs, AreTracedWhileTheyAreWritten) {
+  const Scene scene = gen::make_gears({});
+  EventCounter tracer;
+  CheckOptions options;
+  options.engine = EngineChoice::kinetic;
+  options.tracer = &tracer;
+  std::ostringstream log;
+  const Answer answer = prove(scene, log, options);
+  ASSERT_EQ(answer.outcome, Outcome::free);
+  ASSERT_GT(answer.events, 100u);
+  ASSERT_EQ(tracer.numbers.size(), answer.events);
+  EXPECT_EQ(tracer.numbers.back(), answer.events);
+  Scene three = scene;
+  three.bodies.push_back({"third", {{90, 0}, {91, 0}, {90, 1}}, {}});
+  EXPECT_THROW(prove(three, log, options), InputError);
 }
 
 }  // namespace
