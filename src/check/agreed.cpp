@@ -50,7 +50,7 @@ namespace taut::internal {
 Answer agreed(const Answer& kinetic, const Answer& spacetime) {
   if (const char* what = contradiction(kinetic, spacetime)) throw EngineDisagreement(what, kinetic, spacetime);
   Answer answer = decided(kinetic) || !decided(spacetime) ? kinetic : spacetime;
-  answer.compared = true;
+  answer.compared = decided(kinetic) && decided(spacetime);
   answer.events = kinetic.events;
   answer.certificates_initial = kinetic.certificates_initial;
   answer.certificates_max = kinetic.certificates_max;

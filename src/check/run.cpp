@@ -109,12 +109,16 @@ std::vector<PairEvent> Run::pairs() const {
 /// Names the engine of the answer: if several engines solved pairs, that of the named pair. A free answer combines all
 /// pairs, and is attributed to the kinetic engine as soon as one of them is.
 void Run::name_engine() {
-  answer_.compared = options_.engine == EngineChoice::both;
   if (!search_) return;
+  // Engines agree only about what both of them decided.
+  answer_.compared = options_.engine == EngineChoice::both && stopped_.empty();
   KineticCounts counts;
   search_->for_each_pair([&](const PairSolver& pair) {
     counts += pair.counts();
     const PairResult& r = pair.result();
+    for (const PairResult* known : {&r, pair.other()}) {
+      if (known && known->outcome == Outcome::undecided) answer_.compared = false;
+    }
     const bool counts_here = !answer_.pair || *answer_.pair == std::array<int, 2>{r.a, r.b};
     if (counts_here && r.engine == EngineName::kinetic) answer_.engine = EngineName::kinetic;
   });

@@ -250,11 +250,9 @@ FrameOf<J> bridge_frame(const MotionSegment& segment, const Ball<Real>& s) {
   const auto at = [&](double t, const PieceChain& chain, const MotionPiece& piece) {
     return placed<Series<Real, 0>>(segment, chain, piece, Ball<Real>::exact(t));
   };
-  const double before = segment.joint_before, after = segment.joint;
-  const PoseOf<J> p =
-      interpolate<J>(at(before, segment.p_chain, segment.p), at(after, segment.p_chain_next, segment.p_next), s);
-  const PoseOf<J> q =
-      interpolate<J>(at(before, segment.q_chain, segment.q), at(after, segment.q_chain_next, segment.q_next), s);
+  const double t = segment.joint;
+  const PoseOf<J> p = interpolate<J>(at(t, segment.p_chain, segment.p), at(t, segment.p_chain_next, segment.p_next), s);
+  const PoseOf<J> q = interpolate<J>(at(t, segment.q_chain, segment.q), at(t, segment.q_chain_next, segment.q_next), s);
   const J dx = q.ox - p.ox, dy = q.oy - p.oy;
   FrameOf<J> f;
   f.for_pp[0] = p.xx * p.xx + p.xy * p.xy;

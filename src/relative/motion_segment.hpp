@@ -63,7 +63,6 @@ struct MotionSegment {
   PieceChain p_chain, q_chain, p_chain_next, q_chain_next;
   bool bridge = false;
   double joint = 0;           ///< the time of the bridge
-  double joint_before = 0;    ///< the time at which the pieces before it are evaluated: normally the same
   double start = 0, end = 0;  ///< of the parameter: time, or [0, 1] on a bridge
   double origin = 0;          ///< of both pieces' polynomials, on a segment that is not far
 
@@ -88,10 +87,6 @@ struct MotionSegment {
                                 const MotionPiece& q_next, double joint, bool far = false);
   static MotionSegment bridging_chains(const PieceChain& p, const PieceChain& q, const PieceChain& p_next,
                                        const PieceChain& q_next, double joint, bool far = false);
-  /// Bridges from the poses of pieces at one time to those of others at another time, which becomes the time of the
-  /// bridge.
-  static MotionSegment bridging_between(const MotionPiece& p, const MotionPiece& q, double before,
-                                        const MotionPiece& p_next, const MotionPiece& q_next, double joint, bool far);
   /// The pose of a body at a parameter of the segment, rounded. On a bridge it is the pose after it, which differs by
   /// rounding only.
   Pose<double> pose_of_body(bool of_p, double parameter) const;

@@ -174,20 +174,10 @@ MotionSegment MotionSegment::bridging(const MotionPiece& p, const MotionPiece& q
   segment.p_next = at_joint(p_next, joint);
   segment.q_next = at_joint(q_next, joint);
   segment.bridge = true;
-  segment.joint = segment.joint_before = joint;
+  segment.joint = joint;
   segment.start = 0;
   segment.end = 1;
   if (far) segment.local_ = std::make_shared<const LocalPolynomials>(joint);
-  return segment;
-}
-
-MotionSegment MotionSegment::bridging_between(const MotionPiece& p, const MotionPiece& q, double before,
-                                              const MotionPiece& p_next, const MotionPiece& q_next, double joint,
-                                              bool far) {
-  MotionSegment segment = bridging(p, q, p_next, q_next, joint, far);
-  segment.joint_before = before;
-  segment.p = at_joint(p, before);
-  segment.q = at_joint(q, before);
   return segment;
 }
 
@@ -199,7 +189,7 @@ MotionSegment MotionSegment::bridging_chains(const PieceChain& p, const PieceCha
   segment.p_next = p_next.back();
   segment.q_next = q_next.back();
   segment.bridge = true;
-  segment.joint = segment.joint_before = joint;
+  segment.joint = joint;
   segment.start = 0;
   segment.end = 1;
   segment.composed = true;

@@ -175,5 +175,17 @@ TEST(Either, ManyShortSlicesAreOneLongOne) {
   }
 }
 
+/// Engines agree only about what both decided. A limit of events had stopped one, and "two engines agree" was said.
+TEST(BothEngines, AgreeOnlyAboutWhatBothDecided) {
+  Scene scene = gen::make_gears({.hit = true});
+  CheckOptions options;
+  options.engine = EngineChoice::both;
+  EXPECT_TRUE(check(scene, options).compared);
+  options.max_events = 0;
+  const Answer answer = check(scene, options);
+  EXPECT_EQ(answer.outcome, Outcome::contact);
+  EXPECT_FALSE(answer.compared);
+}
+
 }  // namespace
 }  // namespace taut
