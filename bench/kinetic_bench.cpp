@@ -9,7 +9,7 @@
 #include "families.hpp"
 #include "generators/shapes.hpp"
 #include "heap.hpp"
-#include "kinetic/session.hpp"
+#include "simulation/world_simulation.hpp"
 #include "taut/simulation.hpp"
 
 namespace taut::bench {
@@ -19,14 +19,14 @@ namespace {
 std::size_t vertices(const Scene& scene) { return scene.bodies[0].polygon.size() + scene.bodies[1].polygon.size(); }
 
 /// What is wrong with the answer; empty if nothing.
-std::string fault(const Case& expected, const Session& session) {
-  if (session.overlap_at_start()) return "overlap at the start";
+std::string fault(const Case& expected, const WorldSimulation& simulation) {
+  if (simulation.answer().outcome == Outcome::overlap_at_start) return "overlap at the start";
   if (expected.outcome == Outcome::free) {
-    return session.engine().state() == EngineState::finished ? "" : "not free to the end";
+    return simulation.finished() ? "" : "not free to the end";
   }
-  if (!session.contact()) return "no contact";
+  if (!simulation.answer().contact) return "no contact";
   const double t = expected.contact_time, slack = 1e-12 * std::fabs(t);
-  const TimeInterval found = session.contact()->time;
+  const TimeInterval found = simulation.answer().contact->time;
   return found.lo - slack <= t && t <= found.hi + slack ? "" : "contact at the wrong time";
 }
 
@@ -37,14 +37,14 @@ void start(benchmark::State& state, const Case& c) {
     reset_heap_peak();
     const HeapUse before = heap_use();
     const Stopwatch watch;
-    const Session session(c.scene, Touch::open, nullptr);
+    const WorldSimulation simulation(c.scene, Touch::open, UINT64_MAX);
     const double lap = watch.seconds();
     state.SetIterationTime(lap);
     seconds += lap;
     peak = static_cast<double>(heap_use().peak - before.live);
-    bytes = static_cast<double>(session.engine().bytes());
-    certificates = static_cast<double>(session.engine().initial_certificates());
-    if (session.overlap_at_start()) fail(state, "overlap at the start");
+    bytes = static_cast<double>(simulation.single_pair()->engines()->engine(0).bytes());
+    certificates = static_cast<double>(simulation.single_pair()->engines()->engine(0).initial_certificates());
+    if (simulation.answer().outcome == Outcome::overlap_at_start) fail(state, "overlap at the start");
   }
   state.counters["certs"] = certificates;
   state.counters["B/vertex"] = bytes / n;
@@ -72,10 +72,11 @@ struct Totals {
 
 /// Buffers that belong to the thread grow when first used.
 void warm_up(const Case& c) {
-  Session session(c.scene, Touch::open, nullptr);
-  while (!session.finished()) session.step(c.scene.end);
+  WorldSimulation simulation(c.scene, Touch::open, UINT64_MAX);
+  simulation.advance(c.scene.end);
 }
 
+constexpr std::uint64_t allocations_of_run = 8;
 /// Of two segments.
 constexpr std::uint64_t allocations_of_piece = 32;
 
@@ -83,26 +84,26 @@ void events(benchmark::State& state, const Case& c) {
   Totals totals;
   warm_up(c);
   for (auto _ : state) {
-    Session session(c.scene, Touch::open, nullptr);
-    const std::uint64_t beyond = session.engine().stages().beyond_doubles();
+    WorldSimulation simulation(c.scene, Touch::open, UINT64_MAX);
+    const std::uint64_t beyond = simulation.single_pair()->engines()->engine(0).stages().beyond_doubles();
     const std::uint64_t allocations = heap_use().allocations;
     const Stopwatch watch;
-    while (!session.finished()) session.step(c.scene.end);
+    simulation.advance(c.scene.end);
     const double lap = watch.seconds();
     state.SetIterationTime(lap);
     totals.seconds += lap;
     totals.allocations += heap_use().allocations - allocations;
-    const Engine& engine = session.engine();
+    const Engine& engine = simulation.single_pair()->engines()->engine(0);
     totals.events += engine.events();
     totals.certificates = engine.max_certificates();
     totals.precise += engine.stages().beyond_doubles() - beyond;
-    if (const std::string wrong = fault(c, session); !wrong.empty()) fail(state, wrong);
+    if (const std::string wrong = fault(c, simulation); !wrong.empty()) fail(state, wrong);
   }
   totals.report(state);
-  // Once a run, at most: room for models around a singular instant is made where the first one comes. And segments are
-  // made where the engine comes to them, two for each piece of a motion: no event allocates.
+  // A few times a run: the answer, and room for models around the first singular instant. Segments are constructed
+  // where the engine reaches them, two for each piece of a motion. No event allocates.
   const std::size_t pieces = c.scene.bodies[0].motion.pieces.size() + c.scene.bodies[1].motion.pieces.size();
-  const std::uint64_t most = 1 + (pieces > 2 ? allocations_of_piece * pieces : 0);
+  const std::uint64_t most = allocations_of_run + (pieces > 2 ? allocations_of_piece * pieces : 0);
   if (totals.allocations > most * static_cast<std::uint64_t>(state.iterations()))
     fail(state, "the event loop allocates");
 }

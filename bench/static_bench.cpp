@@ -6,11 +6,11 @@
 #include "bench.hpp"
 #include "coastline.hpp"
 #include "heap.hpp"
-#include "kinetic/session.hpp"
 #include "motion/pieces.hpp"
 #include "pair/placement.hpp"
 #include "relative/make_segments.hpp"
 #include "relative/motion_segment.hpp"
+#include "simulation/world_simulation.hpp"
 #include "tiling/checks.hpp"
 #include "tiling/static_tiling.hpp"
 
@@ -69,18 +69,20 @@ void session(benchmark::State& state, std::size_t vertices) {
     reset_heap_peak();
     const HeapUse before = heap_use();
     const Stopwatch watch;
-    const Session s(scene, Touch::open, nullptr);
+    const WorldSimulation s(scene, Touch::open, UINT64_MAX);
     const double lap = watch.seconds();
     state.SetIterationTime(lap);
     seconds += lap;
-    held = s.engine().bytes();
     peak = heap_use().peak - before.live;
-    certificates = s.engine().initial_certificates();
-    if (s.overlap_at_start() || s.contact()) {
+    if (s.over()) {
       fail(state, "not apart at the start");
-    } else if (s.engine().initial_root() != expected_root) {
-      fail(state, std::string("the root is ") + to_string(s.engine().initial_root()));
+      continue;
     }
+    const Engine& engine = s.single_pair()->engines()->engine(0);
+    held = engine.bytes();
+    certificates = engine.initial_certificates();
+    if (engine.initial_root() != expected_root)
+      fail(state, std::string("the root is ") + to_string(engine.initial_root()));
   }
   report(state, vertices, seconds, held, peak);
   state.counters["certs"] = static_cast<double>(certificates);

@@ -9,6 +9,7 @@
 #include "pair/placement.hpp"
 #include "replan.hpp"
 #include "support/audit.hpp"
+#include "support/tiling_run.hpp"
 #include "taut/error.hpp"
 #include "taut/proof.hpp"
 #include "taut/simulation.hpp"
@@ -71,11 +72,11 @@ std::string audit_tilings(const Scene& scene, const CheckOptions& options) {
   testing::AuditCounts counts;
   const Budget scope(Limits{options.limits.max_seconds});
   try {
-    Session session(scene, options.touch, nullptr);
-    while (!session.finished() && session.engine().events() < options.max_events) {
-      const std::string fault = testing::compare_with_static(session, counts);
+    testing::TilingRun run(scene, options.touch);
+    while (!run.finished() && run.engine().events() < options.max_events) {
+      const std::string fault = testing::compare_with_static(run, counts);
       if (!fault.empty()) return fault;
-      session.step(scene.end);
+      run.step(scene.end);
       scope.check();
     }
   } catch (const Undecidable&) {

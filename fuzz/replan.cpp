@@ -7,17 +7,18 @@
 #include "base/budget.hpp"
 #include "base/errors.hpp"
 #include "examine.hpp"
-#include "kinetic/session.hpp"
 #include "motion/pieces.hpp"
 #include "pair/placement.hpp"
 #include "support/audit.hpp"
+#include "support/tiling_run.hpp"
 #include "taut/error.hpp"
 
 namespace taut::fuzz {
 using namespace internal;
+using testing::TilingRun;
 namespace {
 
-/// How the session comes to a joint: as advance_to() does, with every event before it, or as step() does, which leaves
+/// How the run comes to a joint: as advance_to() does, with every event before it, or as step() does, which leaves
 /// it at the event that reaches the joint's time, with others at the same instant still to come.
 /// Or the present plan is announced anew after every third event.
 enum class Approach { advancing, stepping, repeating };
@@ -31,33 +32,30 @@ class Replanned {
     if (approach_ == Approach::repeating) return run_repeating(answer);
     Scene first = scene_;
     for (std::size_t b = 0; b < 2; ++b) first.bodies[b].motion = plan(b, scene_.start);
-    Session session(first, options_.touch, nullptr);
+    TilingRun run(first, options_.touch);
     for (const double joint : joints()) {
-      if (std::string fault = reach(session, joint); !fault.empty()) return fault;
-      if (session.finished() || session.engine().events() >= options_.max_events) break;
+      if (std::string fault = reach(run, joint); !fault.empty()) return fault;
+      if (run.finished() || run.engine().events() >= options_.max_events) break;
       for (std::size_t b = 0; b < 2; ++b) {
-        if (has_joint(b, joint)) session.set_motion(static_cast<int>(b), plan(b, joint));
+        if (has_joint(b, joint)) run.set_motion(static_cast<int>(b), plan(b, joint));
       }
       changed_ = true;
     }
-    if (std::string fault = reach(session, scene_.end); !fault.empty()) return fault;
-    conclude(session, answer);
+    if (std::string fault = reach(run, scene_.end); !fault.empty()) return fault;
+    conclude(run, answer);
     return {};
   }
 
  private:
   std::string run_repeating(Answer& answer) {
-    Session session(scene_, options_.touch, nullptr);
-    if (std::string fault = reach(session, scene_.end); !fault.empty()) return fault;
-    conclude(session, answer);
+    TilingRun run(scene_, options_.touch);
+    if (std::string fault = reach(run, scene_.end); !fault.empty()) return fault;
+    conclude(run, answer);
     return {};
   }
 
-  static void conclude(const Session& session, Answer& answer) {
-    if (session.overlap_at_start()) answer.outcome = Outcome::overlap_at_start;
-    if (session.engine().state() == EngineState::finished) answer.outcome = Outcome::free;
-    if (session.contact()) answer.outcome = Outcome::contact;
-    answer.contact = session.contact();
+  static void conclude(const TilingRun& run, Answer& answer) {
+    if (run.finished()) answer = run.answer();
   }
 
   std::vector<double> joints() const {
@@ -96,24 +94,24 @@ class Replanned {
     }
   }
 
-  std::string reach(Session& session, double t) {
-    while (!session.finished() && session.engine().events() < options_.max_events) {
+  std::string reach(TilingRun& run, double t) {
+    while (!run.finished() && run.engine().events() < options_.max_events) {
       if (changed_) {
         changed_ = false;
-        if (std::string fault = testing::compare_with_static(session, counts_); !fault.empty()) return fault;
+        if (std::string fault = testing::compare_with_static(run, counts_); !fault.empty()) return fault;
       }
-      const bool more = session.step(t);
-      if (more && approach_ == Approach::repeating && session.engine().events() % 3 == 1) repeat(session);
-      if (!more && (session.engine().time() >= t || session.finished())) break;
-      if (approach_ == Approach::stepping && t < scene_.end && session.engine().time() >= t) break;
+      const bool more = run.step(t);
+      if (more && approach_ == Approach::repeating && run.engine().events() % 3 == 1) repeat(run);
+      if (!more && (run.engine().time() >= t || run.finished())) break;
+      if (approach_ == Approach::stepping && t < scene_.end && run.engine().time() >= t) break;
     }
     return {};
   }
 
   /// The plans of both bodies, as they are.
-  void repeat(Session& session) {
+  void repeat(TilingRun& run) {
     for (int b = 0; b < 2; ++b) {
-      if (!session.finished()) session.set_motion(b, scene_.bodies[static_cast<std::size_t>(b)].motion);
+      if (!run.finished()) run.set_motion(b, scene_.bodies[static_cast<std::size_t>(b)].motion);
     }
     changed_ = true;
   }

@@ -8,9 +8,9 @@
 #include <stdexcept>
 
 #include "figure_tools.hpp"
-#include "kinetic/session.hpp"
 #include "pair/placement.hpp"
 #include "sheet.hpp"
+#include "simulation/world_simulation.hpp"
 #include "tree_picture.hpp"
 
 namespace taut::paper {
@@ -182,10 +182,10 @@ namespace {
 // ----- Fig. 5 -----
 
 RootState root_state(const Scene& scene, double t) {
-  Session session(scene, Touch::open, nullptr);
-  while (session.step(t)) {
-  }
-  const Placement placement(session.engine().geometry(), session.engine().segment(), session.engine().parameter());
+  WorldSimulation simulation(scene, Touch::open, UINT64_MAX);
+  simulation.advance(t);
+  const Engine& engine = simulation.single_pair()->engines()->engine(0);
+  const Placement placement(engine.geometry(), engine.segment(), engine.parameter());
   return build_tiling(placement).root;
 }
 

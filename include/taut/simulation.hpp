@@ -127,22 +127,26 @@ struct SimulationOptions {
   Limits limits = {};
 };
 
-/// The external relative geodesic triangulation of two moving polygons, kept up to date event by event; or a world of
-/// any number of bodies, with parts, holes and parents, of which every pair of rings that is near has one.
-/// The current time only grows. Not thread-safe; distinct simulations are independent.
+/// Any number of moving bodies, with parts, holes and parents. Every pair of rings that is near has an external
+/// relative geodesic triangulation (a tiling), which is kept up to date event by event. The current time only grows.
+/// Not thread-safe; distinct simulations are independent.
 ///
-/// Of a world, events are those of all pairs that are near; what is far costs nothing until windows of time come in
-/// which it may be near. It answers as check() would about the rest of its time, whatever motions have been changed. It
-/// has no tracer, and no map to look at: tiling(), halfedges() and what is like them throw InputError.
+/// Events are those of all pairs that are near. Distant pairs cost nothing until a window of time comes in which they
+/// may be near; a single pair is always near. The simulation answers as check() would about the rest of its time,
+/// whatever motions have been changed.
 ///
-/// Where the highest precision does not decide, or a limit of the options is reached, state() is `undecided` from then
-/// on, as an answer of check() would be: an event may be half done. state(), reason(), time(), contact(),
-/// overlap_point() and the counters events(), certificates() and certificates_max() still tell what is known;
-/// next_event() and step() have nothing more to give; everything else throws UndecidedError with the reason.
+/// Two bodies of one ring each have one tiling. Only they can have a tracer, and only of them tiling(), halfedges(),
+/// halfedge(), changed_halfedges(), active_set(), levels() and geodesic_cycle() are known. For other scenes these throw
+/// InputError, and so they do, but for tiling(), if the two bodies overlap at the start or touch there.
 ///
-/// Where an exception leaves the constructor, next_event(), step(), advance_to() or set_motion() (one that a Tracer
-/// threw, whatever the event, or a lack of memory), an event is half done: after that every call throws UnusableError,
-/// and the simulation may only be destroyed or assigned to. An InputError of taut's own changes nothing.
+/// If the highest precision does not decide, or a limit of the options is reached, state() is `undecided` from then on,
+/// as an answer of check() would be: an event may be half done. state(), reason(), time(), contact(), overlap_point()
+/// and the counters events(), certificates() and certificates_max() still return what is known; next_event() and step()
+/// return nothing more; everything else throws UndecidedError with the reason.
+///
+/// If an exception leaves the constructor, next_event(), step(), advance_to() or set_motion() (thrown by a Tracer at
+/// any event, or by a lack of memory), an event is half done: after that every call throws UnusableError, and the
+/// simulation may only be destroyed or assigned to. An InputError of taut's own changes nothing.
 class Simulation {
  public:
   /// Validates the scene, builds the tiling at its start. Throws InputError.
@@ -165,11 +169,11 @@ class Simulation {
   /// upper end of the event's enclosure; where events nearly coincide, the next one's may end a little before it.
   double time() const;
   /// Enclosure of the time of the next event; empty if none is left before the end, or it is undecided. Looks as far as
-  /// it must: where a motion's next piece begins before the event, time() moves on to that joint. In a world it moves
-  /// on to where windows end in which nothing happens.
+  /// it must: if a motion's next piece begins before the event, time() moves on to that joint, or to the end of a
+  /// window in which nothing happens.
   std::optional<TimeInterval> next_event();
-  /// Processes one event; in a world, all whose enclosures are not later than its own. False if there is none before
-  /// the end, after a contact, or if it is undecided.
+  /// Processes one event; if several pairs are near, also those whose enclosures are not later. Returns false if there
+  /// is none before the end, after a contact, or if it is undecided.
   bool step();
   /// Processes all events before t (clamped to the end of the scene) and stands at t, unless a contact comes first.
   /// A time before time() changes nothing; one that is not a number is an InputError.
@@ -177,9 +181,10 @@ class Simulation {
   /// Replaces a body's motion from time() on. The new motion is in absolute time, like the old one; where its pose
   /// at time() differs from the present one by rounding, the gap is bridged as between two pieces of a scene, a
   /// larger jump is an InputError and changes nothing. Events that nearly coincide with the last one are processed
-  /// first; if one of them is the contact, it stays the answer. In a world it is seen from the body's parent, and what
-  /// is seen from the body moves with it. Bodies that have moved alike until then are not asked about before; where
-  /// they overlap, state() is `overlap_at_start`.
+  /// first; if one of them is the contact, it stays the answer. The motion is relative to the body's parent, and bodies
+  /// that are attached to the body move with it. The tilings of its pairs stay; only their certificates are computed
+  /// anew. Pairs that have moved alike until then are tested from now on; if they overlap, state() is
+  /// `overlap_at_start`.
   void set_motion(BodyId body, const Motion& motion);
 
   /// The first contact, once state() is `contact`.
@@ -196,7 +201,7 @@ class Simulation {
   std::uint64_t certificates() const;
   /// The largest that the active set has been; of a world, after one of the calls.
   std::uint64_t certificates_max() const;
-  /// The planar map at time().
+  /// The planar map at time(). If the bodies overlap or touch at the start, it has vertices only.
   Tiling tiling() const;
   /// The same map as half-edges. Their number may grow with an event, and never shrinks.
   std::vector<TilingHalfedge> halfedges() const;

@@ -58,12 +58,11 @@ class Tiling:
 
 
 class Simulation:
-    """check() online: stands at a time up to which the motion is proved free, and goes on from there, event by event; what
-    a body does after that time may be changed.
+    """check() online: it has a current time up to which the motion is proved free, and proceeds from there, event by
+    event; the motion of a body after that time may be changed.
 
-    ``scene``: of two polygons, or a world of any number of bodies, with parts, holes and parents, and without
-    curves (flatten() makes polygons of these). Of a world, events are those of all pairs of rings that are near; what is
-    far costs nothing. ``touch``, ``max_events``, ``max_seconds``: as in check(); the last
+    ``scene``: any number of bodies, with parts, holes and parents, and without curves (flatten() makes polygons of these).
+    Events are those of all pairs of rings that are near; distant pairs cost nothing. ``touch``, ``max_events``, ``max_seconds``: as in check(); the last
     one is for each call. Where one of them, Ctrl-C, or the highest precision ends it, ``state`` is "undecided" from then
     on.
 
@@ -144,13 +143,13 @@ class Simulation:
 
     def next_event(self) -> Optional[tuple[float, float]]:
         """(lo, hi), which certainly contains the time of the next event; None if none is left before the end, or it is
-        undecided. Looks as far as it must: where a motion's next piece begins before the event, ``time`` moves on to that
-        joint. In a world it moves on to where windows end in which nothing happens."""
+        undecided. Looks as far as it must: if a motion's next piece begins before the event, ``time`` moves on to that
+        joint, or to the end of a window in which nothing happens."""
         return self._core.next_event()
 
     def step(self) -> bool:
-        """Processes one event; in a world, all whose enclosures are not later than its own. False if there is none before
-        the end, after a contact, or if it is undecided."""
+        """Processes one event; if several pairs are near, also those whose enclosures are not later. False if there is none
+        before the end, after a contact, or if it is undecided."""
         return self._core.step()
 
     def advance_to(self, t: float) -> SimulationState:
@@ -164,8 +163,8 @@ class Simulation:
 
         The new motion is in the scene's time, like the old one, and must have the body, at ``time``, where it is: a gap that
         rounding leaves is bridged, a larger jump is an InputError and changes nothing. Events that nearly coincide with
-        the last one are processed first; if one of them is the contact, it stays the answer. In a world the motion is seen
-        from the body's parent, and what is seen from the body moves with it. Raises UndecidedError if the
+        the last one are processed first; if one of them is the contact, it stays the answer. The motion is relative
+        to the body's parent, and bodies attached to it move with it. Raises UndecidedError if the
         state is "undecided".
         """
         places = [k for k, body in enumerate(self._scene.bodies) if body.name == name]
@@ -178,8 +177,9 @@ class Simulation:
 
     def tiling(self) -> Tiling:
         """The external relative geodesic triangulation at ``time``: pseudo-triangles that fill the space between the
-        bodies. Of bodies that overlap at the start it has no edges and faces. Raises UndecidedError if the state is
-        "undecided", and InputError for a world, whose pairs have tilings of their own."""
+        bodies. Of bodies that overlap or touch at the start it has no edges and faces. Raises UndecidedError if the state
+        is "undecided", and InputError unless the scene has two bodies of one ring each: each two rings of others have a
+        tiling of their own."""
         names = [body.name for body in self._scene.bodies]
         time, vertices, edges, faces = self._core.tiling()
         return Tiling(

@@ -27,7 +27,7 @@ RingEngines::RingEngines(const BodyPair& bodies, const PairGeometry& geometry, O
 
 /// The tiling of two single rings also shows whether one lies inside the other.
 RingMeetings RingEngines::meetings_at_start() {
-  if (bodies_.rings[0]->rings().size() == 1 && bodies_.rings[1]->rings().size() == 1) return {{{0, 0}}, {}};
+  if (bodies_.has_single_rings()) return {{{0, 0}}, {}};
   const MotionSegment& first = segments_.front();
   const Placement placement(geometry_, first, first.start, Positions::on_demand);
   RingMeetings meetings = ring_meetings(bodies_, placement);
@@ -37,10 +37,7 @@ RingMeetings RingEngines::meetings_at_start() {
 
 const MotionSegments& RingEngines::segments_in_roles(bool exchanged) {
   if (!exchanged) return segments_;
-  if (!exchanged_segments_) {
-    const double start = segments_.place(0).start, end = segments_.place(segments_.size() - 1).end;
-    exchanged_segments_ = exchanged_segments_of(bodies_, start, end);
-  }
+  if (!exchanged_segments_) exchanged_segments_ = segments_.exchanged();
   return *exchanged_segments_;
 }
 
@@ -110,6 +107,18 @@ RingEngines::Arrival RingEngines::advance(double t, std::uint64_t events) {
   }
   if (!arrived) return Arrival::on_the_way;
   return contact_ ? Arrival::contact : Arrival::there;
+}
+
+double RingEngines::time() const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Run& run : runs_) least = std::min(least, run.engine->time());
+  return least;
+}
+
+void RingEngines::replan(MotionSegments segments) {
+  segments_ = std::move(segments);
+  exchanged_segments_.reset();
+  for (Run& run : runs_) run.engine->replan(segments_in_roles(run.exchanged));
 }
 
 double RingEngines::reached() const {

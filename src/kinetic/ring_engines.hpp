@@ -32,12 +32,18 @@ class RingEngines {
   /// Advances to t, or to the contact. Stops on the way after the given number of events. Throws Undecidable, and any
   /// interruption.
   Arrival advance(double t, std::uint64_t events = UINT64_MAX);
+  /// The time to which the tilings correspond; the earliest one, between events.
+  double time() const;
   /// Everything up to this time is proved.
   double reached() const;
   /// The corresponding time at present, between events: no failure is due before it.
   double proved_until() const;
   /// An enclosure of the time of the next event up to t.
   std::optional<std::pair<double, double>> next_event(double t);
+
+  /// Replaces all segments from the current time on. All tilings must have been advanced to the time at which the first
+  /// new segment starts.
+  void replan(MotionSegments segments);
 
   /// A contact in terms of the pair's geometry and segments.
   struct Found {

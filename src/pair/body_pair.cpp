@@ -56,10 +56,6 @@ MotionSegments segments_of(const BodyPair& pair, double start, double end) {
   return MotionSegments(pair.motions[0], pair.motions[1], start, end);
 }
 
-MotionSegments exchanged_segments_of(const BodyPair& pair, double start, double end) {
-  return MotionSegments(pair.motions[1], pair.motions[0], start, end);
-}
-
 PairGeometry displaced_pair(const BodyPair& bodies, Offset offset) {
   return {bodies.rings[0]->displaced(offset), bodies.rings[1]->displaced(offset)};
 }

@@ -29,6 +29,8 @@ struct BodyPair {
   int exponent = 0;
 
   int body(Role role) const { return rings[index_of(role)]->body(); }
+  /// Is each body one ring? Then one tiling is enough.
+  bool has_single_rings() const { return rings[0]->rings().size() == 1 && rings[1]->rings().size() == 1; }
 };
 
 /// The pair in its roles: P is the body with the larger diameter, and the first one if they are equal (section 2.1 of
@@ -40,8 +42,6 @@ BodyPair pair_of(const Scene& scene);
 
 /// The relative motion of P and Q, in a frame that parents which both have are not in.
 MotionSegments segments_of(const BodyPair& pair, double start, double end);
-/// The same with the roles exchanged.
-MotionSegments exchanged_segments_of(const BodyPair& pair, double start, double end);
 
 /// The question about bodies is answered by bodies displaced to this side.
 inline Offset offset_for(Touch touch) { return touch == Touch::open ? Offset::inward : Offset::outward; }

@@ -81,7 +81,7 @@ void MotionSegments::Route::lay(double start, double end) {
 }
 
 MotionSegments::MotionSegments(MotionSegment segment)
-    : first_(std::make_shared<const MotionSegment>(std::move(segment))) {}
+    : only_(std::make_shared<const MotionSegment>(std::move(segment))) {}
 
 MotionSegments::MotionSegments(MotionChain p, MotionChain q, double start, double end) {
   const auto route = std::make_shared<Route>();
@@ -93,17 +93,21 @@ MotionSegments::MotionSegments(MotionChain p, MotionChain q, double start, doubl
 
 std::size_t MotionSegments::route_size() const { return route_ ? route_->places.size() : 0; }
 
-void MotionSegments::put_first(MotionSegment segment) {
-  first_ = std::make_shared<const MotionSegment>(std::move(segment));
+void MotionSegments::drop_first() {
+  ++dropped_;
   window_.clear();
   held_.clear();
 }
 
+MotionSegments MotionSegments::exchanged() const {
+  MotionSegments other(route_->q, route_->p, route_->places.front().start, route_->places.back().end);
+  other.dropped_ = dropped_;
+  return other;
+}
+
 SegmentPlace MotionSegments::place(std::size_t k) const {
-  if (!first_) return route_->places[k];
-  if (k > 0) return route_->places[k - 1];
-  const MotionSegment& segment = *first_;
-  return {segment.time(segment.start), segment.time(segment.end), segment.bridge, 0};
+  if (route_) return route_->places[dropped_ + k];
+  return {only_->time(only_->start), only_->time(only_->end), only_->bridge, 0};
 }
 
 std::size_t MotionSegments::first_until(double t) const {
@@ -125,7 +129,7 @@ bool MotionSegments::straight() const {
 }
 
 const std::shared_ptr<const MotionSegment>& MotionSegments::kept(std::size_t k) const {
-  if (first_ && k == 0) return first_;
+  if (only_) return only_;
   if (window_.empty()) window_.resize(std::min(window, size()));
   Kept& place = window_[k % window_.size()];
   if (place.number != k) replace(place, k);
@@ -143,7 +147,7 @@ void MotionSegments::replace(Kept& place, std::size_t k) const {
     if (segment) place.segment = std::move(segment);
     held_.erase(held_.begin() + static_cast<std::ptrdiff_t>(i));
   }
-  if (!place.segment) place.segment = std::make_shared<const MotionSegment>(route_->make(first_ ? k - 1 : k));
+  if (!place.segment) place.segment = std::make_shared<const MotionSegment>(route_->make(dropped_ + k));
 }
 
 }  // namespace taut::internal

@@ -34,21 +34,24 @@ class MotionSegments {
   /// One segment for each interval without a joint, and a bridge at each joint where a piece changes. p and q must have
   /// at least one motion each.
   MotionSegments(MotionChain p, MotionChain q, double start, double end);
-  MotionSegments(const MotionSegments& other) : route_(other.route_), first_(other.first_), window_(other.window_) {}
+  MotionSegments(const MotionSegments& other)
+      : route_(other.route_), dropped_(other.dropped_), only_(other.only_), window_(other.window_) {}
   MotionSegments(MotionSegments&&) noexcept = default;
   MotionSegments& operator=(const MotionSegments& other) { return *this = MotionSegments(other); }
   MotionSegments& operator=(MotionSegments&&) noexcept = default;
   ~MotionSegments() = default;
 
-  std::size_t size() const { return first_ ? route_size() + 1 : route_size(); }
+  std::size_t size() const { return only_ ? 1 : route_size() - dropped_; }
   const MotionSegment& operator[](std::size_t k) const { return *kept(k); }
   const MotionSegment& front() const { return (*this)[0]; }
   std::shared_ptr<const MotionSegment> hold(std::size_t k) const { return kept(k); }
   SegmentPlace place(std::size_t k) const;
   /// The number of the first segment that ends at t or later; size() if there is none.
   std::size_t first_until(double t) const;
-  /// Puts a segment before the others.
-  void put_first(MotionSegment segment);
+  /// Removes the first segment; the others are renumbered.
+  void drop_first();
+  /// The segments of the same motion with the roles of P and Q exchanged. Not for a sequence of one existing segment.
+  MotionSegments exchanged() const;
   /// For loops over all of them.
   class Iterator {
    public:
@@ -82,7 +85,8 @@ class MotionSegments {
   void replace(Kept& place, std::size_t k) const;
 
   std::shared_ptr<const Route> route_;
-  std::shared_ptr<const MotionSegment> first_;
+  std::size_t dropped_ = 0;  ///< the number of the route's segments that come before the first one
+  std::shared_ptr<const MotionSegment> only_;
   mutable std::vector<Kept> window_;  ///< indexed by the last bits of the segment's number
   /// Segments that had to leave the window but are still held. As long as they are, no other copy of them is
   /// constructed.

@@ -12,7 +12,7 @@ namespace taut::internal {
 namespace {
 
 /// The number of events between two tests of the work done.
-constexpr std::uint64_t events_of_turn = 16;
+constexpr std::uint64_t events_of_slice = 16;
 /// In units of checkpoint(): the work of a tiling per vertex.
 constexpr std::uint64_t work_of_vertex = 16;
 
@@ -81,20 +81,21 @@ StageCounts KineticSolver::stages() const {
   return sum;
 }
 
-bool KineticSolver::work(double from, double to, std::uint64_t effort) {
+/// Provides tilings at the beginning of a window.
+void KineticSolver::enter(double from) {
+  if (needs_tilings(from)) {
+    begin(from);
+    if (engines_->overlap()) throw StructureError("bodies that were apart overlap");
+  }
+  window_ = from;
+}
+
+/// Reports whether the work is done. A limit ends it.
+template <class Work>
+bool KineticSolver::guarded(double from, const Work& work) {
   if (!open() && result_.free_until <= from) return true;
-  const Slice slice(effort);
   try {
-    if (!engines_ || (at_ != from && window_ != from)) {
-      if (effort < work_of_vertex * geometry_.size()) return false;
-      begin(from);
-      if (engines_->overlap()) throw StructureError("bodies that were apart overlap");
-    }
-    window_ = from;
-    while (!advance(to, events_of_turn)) {
-      if (slice.used_up()) return false;
-    }
-    return true;
+    return work();
   } catch (const Undecidable& limit) {
     give_up(not_decided(limit), engines_ ? engines_->reached() : from);
   } catch (const Interrupted& limit) {
@@ -102,6 +103,40 @@ bool KineticSolver::work(double from, double to, std::uint64_t effort) {
     give_up(limit.reason, engines_ ? engines_->reached() : from);
   }
   return true;
+}
+
+bool KineticSolver::work(double from, double to, std::uint64_t effort) {
+  const Slice slice(effort);
+  return guarded(from, [&] {
+    if (needs_tilings(from) && effort < work_of_vertex * geometry_.size()) return false;
+    enter(from);
+    while (!advance(to, events_of_slice)) {
+      if (slice.used_up()) return false;
+    }
+    return true;
+  });
+}
+
+void KineticSolver::step(double from, double to) {
+  guarded(from, [&] {
+    enter(from);
+    return advance(to, 1);
+  });
+}
+
+void KineticSolver::replan(double now) {
+  at_ = window_ = now;
+  bodies_ = world_.pair(bodies_.body(Role::p), bodies_.body(Role::q));
+  segments_ = world_.segments(bodies_);
+  // The world starts just before the present, with a joint at the present unless the relative motion stays as it was,
+  // or ends now.
+  MotionSegments rest = segments_;
+  if (rest.size() > 1 && rest.place(0).end <= now) {
+    rest.drop_first();
+  } else {
+    rest = segments_of(bodies_, now, world_.end());
+  }
+  engines_->replan(std::move(rest));
 }
 
 bool KineticSolver::advance(double to, std::uint64_t events) {

@@ -41,6 +41,11 @@ class KineticSolver final : public PairSolver, private EngineObserver {
   void ask_start() override;
   /// Stops between two events, and builds no tiling that takes more work.
   bool work(double from, double to, std::uint64_t effort) override;
+  /// Like work(), up to `to` or to the next event.
+  void step(double from, double to);
+  /// The world has changed the motions from the present on, to which the tilings correspond. They stay; their
+  /// certificates are computed anew.
+  void replan(double now);
   const PairResult& result() const override { return result_; }
   std::optional<ContactInstant> instant() const override { return instant_of(result_, segments_, geometry_); }
   StageCounts stages() const override;
@@ -62,7 +67,11 @@ class KineticSolver final : public PairSolver, private EngineObserver {
   EngineObserver* engine_observer() { return observer_ ? this : nullptr; }
   void resolve_start();
   void begin(double from);
+  bool needs_tilings(double from) const { return !engines_ || (at_ != from && window_ != from); }
+  void enter(double from);
   void leave();
+  template <class Work>
+  bool guarded(double from, const Work& work);
   bool advance(double to, std::uint64_t events);
   void note_contact();
   void give_up(const std::string& reason, double until);

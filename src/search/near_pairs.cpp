@@ -16,11 +16,19 @@ std::vector<int> in_order(const std::unordered_set<int>& bodies) {
 
 }  // namespace
 
+void NearPairs::begin_single_pair() {
+  Window whole{instance_.end(), instance_.end(), false, {}, {}, {}};
+  if (!instance_.ignored(0, 1)) add(whole, 0, 1);
+  stack_.clear();
+  stack_.push_back(std::move(whole));
+}
+
 void NearPairs::begin(double from) {
   std::vector<int> all(instance_.bodies().size());
   std::iota(all.begin(), all.end(), 0);
-  stack_.clear();
   from_ = from;
+  if (instance_.is_single_pair()) return begin_single_pair();
+  stack_.clear();
   descend(from, instance_.end(), std::move(all));
 }
 
@@ -59,6 +67,7 @@ void NearPairs::descend(double from, double to, std::vector<int> bodies) {
 /// dropped where the next window begins.
 void NearPairs::change(const std::vector<int>& changed, double from) {
   from_ = from;
+  if (instance_.is_single_pair()) return begin_single_pair();
   for (Window& window : stack_) {
     for (const int body : changed) forget(window, body);
   }

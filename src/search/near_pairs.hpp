@@ -15,7 +15,8 @@ namespace taut::internal {
 /// Proceeds through time like WorldSearch, but for callers that stop at intermediate times. In the current window, the
 /// near pairs are those whose boxes meet in it, or in one of the enclosing windows that shorter windows would not
 /// separate. No other pair meets in it. Distant bodies cost nothing within a window. If some bodies change their
-/// motions, only these are tested again: windows, boxes and pairs of all others stay.
+/// motions, only these are tested again: windows, boxes and pairs of all others stay. A single pair is near all the
+/// time, also if its bodies come to move alike.
 class NearPairs {
  public:
   /// The plan must outlive this object.
@@ -61,6 +62,7 @@ class NearPairs {
     std::set<std::pair<int, int>> pairs;  ///< near throughout the window, in both orders
     std::unordered_set<int> rest;         ///< bodies of pairs that its halves may separate
   };
+  void begin_single_pair();
   void descend(double from, double to, std::vector<int> bodies);
   void look(int body, Window& window, std::vector<int>& deeper);
   static void add(Window& window, int a, int b);

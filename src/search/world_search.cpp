@@ -42,7 +42,7 @@ PairSolver& WorldSearch::pair(int a, int b) {
 }
 
 bool WorldSearch::start() {
-  if (is_single_pair()) {
+  if (instance_.is_single_pair()) {
     PairSolver& only = pair(0, 1);
     only.ask_start();
     return only.open();
@@ -64,7 +64,7 @@ void WorldSearch::search_single_pair() {
 }
 
 void WorldSearch::run() {
-  if (is_single_pair()) {
+  if (instance_.is_single_pair()) {
     search_single_pair();
     proved_ = instance_.end();
     return;

@@ -44,7 +44,6 @@ class WorldSearch {
  private:
   struct DecidedPairs;
   PairSolver& pair(int a, int b);
-  bool is_single_pair() const { return instance_.bodies().size() == 2; }
   void search_single_pair();
   void cover(double from, double to, const std::vector<int>& bodies, const DecidedPairs* above, int depth);
   void settle(PairSolver& pair, double from, double to);

@@ -20,6 +20,33 @@ SimulationOptions without_limits(Touch touch, Tracer* tracer) {
 
 }  // namespace
 
+/// The repair changes records of the corners it names, of the half-edges after them, and of the edge it removes
+/// (src/kinetic/repair_*.cpp). An event whose tracer throws has changed the map and is not finished.
+void Simulation::Impl::on_event(const KineticSolver& solver, const EngineEvent& event) {
+  last = event.report;
+  if (!options.tracer) return;
+  const Engine& engine = solver.engines()->engine(0);
+  TraceEvent out;
+  out.number = engine.events();
+  out.lo = event.segment->time(event.lo);
+  out.hi = event.segment->time(event.hi);
+  out.bridging = event.segment->bridge;
+  out.repair = event.report.repair;
+  out.u = solver.features().vertex(event.u);
+  out.v = solver.features().vertex(event.v);
+  out.w = solver.features().vertex(event.w);
+  out.pinch_rule = event.report.pinch_rule;
+  out.three_corners = event.three_corners;
+  out.corners_touched = static_cast<int>(event.report.corner_count);
+  out.certificates = engine.active_certificates();
+  try {
+    options.tracer->on_event(out);
+  } catch (...) {
+    broken = true;
+    throw;
+  }
+}
+
 Simulation::Simulation(const Scene& scene, const SimulationOptions& options)
     : impl_(std::make_unique<Impl>(scene, options)) {}
 Simulation::Simulation(const Scene& scene, Touch touch, Tracer* tracer)
@@ -36,62 +63,39 @@ Simulation::Impl& Simulation::usable() const {
 SimulationState Simulation::state() const {
   const Impl& impl = usable();
   if (impl.undecided()) return SimulationState::undecided;
-  if (impl.world) {
-    const Outcome outcome = impl.world->answer().outcome;
-    if (outcome == Outcome::overlap_at_start) return SimulationState::overlap_at_start;
-    if (outcome == Outcome::contact) return SimulationState::contact;
-    if (!impl.ended()) return SimulationState::running;
-    return impl.world->has_tested() ? SimulationState::finished : SimulationState::untested;
-  }
-  const Session& s = *impl.session;
-  if (s.overlap_at_start()) return SimulationState::overlap_at_start;
-  if (s.contact()) return SimulationState::contact;
-  return s.finished() ? SimulationState::finished : SimulationState::running;
+  const Outcome outcome = impl.world->answer().outcome;
+  if (outcome == Outcome::overlap_at_start) return SimulationState::overlap_at_start;
+  if (outcome == Outcome::contact) return SimulationState::contact;
+  if (!impl.ended()) return SimulationState::running;
+  return impl.world->has_tested() ? SimulationState::finished : SimulationState::untested;
 }
 
 const std::string& Simulation::reason() const { return usable().why_undecided(); }
 
 Coverage Simulation::coverage() const {
   const Impl& impl = usable();
-  if (impl.world) return impl.world->coverage();
-  Coverage two;
-  two.pairs = two.tested = 1;
-  return two;
+  return impl.world ? impl.world->coverage() : Coverage{};
 }
 
 double Simulation::time() const {
   const Impl& impl = usable();
-  if (impl.world) return impl.world->time();
-  return impl.undecided() ? impl.free_until : impl.session->engine().time();
+  if (!impl.reason.empty() || !impl.world) return impl.free_until;
+  return impl.world->time();
 }
 
 std::optional<TimeInterval> Simulation::next_event() {
   Impl& impl = usable();
   if (impl.ended()) return std::nullopt;
-  if (impl.world) {
-    std::optional<TimeInterval> next;
-    impl.changing([&] { next = impl.world->next_event(); });
-    return impl.undecided() ? std::nullopt : next;
-  }
-  std::optional<std::pair<double, double>> found;
-  impl.changing([&] { found = impl.session->engine().next_event(impl.session->end()); });
-  if (!found || impl.undecided()) return std::nullopt;
-  return TimeInterval{found->first, found->second};
+  std::optional<TimeInterval> next;
+  impl.changing([&] { next = impl.world->next_event(impl.world->end()); });
+  return impl.undecided() ? std::nullopt : next;
 }
 
 bool Simulation::step() {
   Impl& impl = usable();
   if (impl.ended()) return false;
   const std::uint64_t before = events();
-  impl.changing([&] {
-    if (!impl.world) {
-      impl.step(impl.session->end());
-    } else if (const std::optional<TimeInterval> next = impl.world->next_event()) {
-      impl.world->advance(next->hi);
-    } else {
-      impl.world->advance(impl.world->end());
-    }
-  });
+  impl.changing([&] { impl.world->step(impl.world->end()); });
   return events() > before;
 }
 
@@ -99,40 +103,25 @@ SimulationState Simulation::advance_to(double t) {
   Impl& impl = usable();
   if (std::isnan(t))
     throw InputError("", "the time to advance to is not a number", "choose one within the scene's time");
-  if (impl.ended()) return state();
-  if (impl.world) {
-    impl.changing([&impl, t] { impl.world->advance(std::min(t, impl.world->end())); });
-    return state();
-  }
-  const double limit = std::min(t, impl.session->end());
-  impl.changing([&impl, limit] {
-    while (impl.step(limit)) {
-    }
-  });
+  if (!impl.ended()) impl.changing([&impl, t] { impl.world->advance(std::min(t, impl.world->end())); });
   return state();
 }
 
 void Simulation::set_motion(BodyId body, const Motion& motion) {
   Impl& impl = usable();
   impl.expect_decided();
-  impl.changing([&] {
-    if (impl.world) return impl.world->set_motion(body, motion);
-    impl.session->set_motion(body, motion);
-  });
+  impl.changing([&] { impl.world->set_motion(body, motion); });
 }
 
 const std::optional<Contact>& Simulation::contact() const {
   static const std::optional<Contact> none;
   const Impl& impl = usable();
-  if (impl.world) return impl.world->answer().contact;
-  return impl.session ? impl.session->contact() : none;
+  return impl.world ? impl.world->answer().contact : none;
 }
 
 std::optional<std::array<BodyId, 2>> Simulation::pair() const {
   const Impl& impl = usable();
-  if (impl.world) return impl.world->answer().pair;
-  if (!impl.session || !(impl.session->contact() || impl.session->overlap_at_start())) return std::nullopt;
-  return std::array<BodyId, 2>{0, 1};
+  return impl.world ? impl.world->answer().pair : std::nullopt;
 }
 
 const std::vector<PairAnswer>& Simulation::also() const {
@@ -144,26 +133,22 @@ const std::vector<PairAnswer>& Simulation::also() const {
 const std::optional<Point>& Simulation::overlap_point() const {
   static const std::optional<Point> none;
   const Impl& impl = usable();
-  if (impl.world) return impl.world->answer().overlap_point;
-  return impl.session ? impl.session->overlap_point() : none;
+  return impl.world ? impl.world->answer().overlap_point : none;
 }
 
 std::uint64_t Simulation::events() const {
   const Impl& impl = usable();
-  if (impl.world) return impl.world->events();
-  return impl.session ? impl.session->engine().events() : 0;
+  return impl.world ? impl.world->events() : 0;
 }
 
 std::uint64_t Simulation::certificates() const {
   const Impl& impl = usable();
-  if (impl.world) return impl.world->certificates();
-  return impl.session ? impl.session->engine().active_certificates() : 0;
+  return impl.world ? impl.world->certificates() : 0;
 }
 
 std::uint64_t Simulation::certificates_max() const {
   const Impl& impl = usable();
-  if (impl.world) return impl.world->certificates_max();
-  return impl.session ? impl.session->engine().max_certificates() : 0;
+  return impl.world ? impl.world->certificates_max() : 0;
 }
 
 }  // namespace taut

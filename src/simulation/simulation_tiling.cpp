@@ -17,17 +17,17 @@ FaceKind face_kind(const PlanarMap& map, HalfedgeId h) {
   return FaceKind::node;
 }
 
-TilingFace copy_face(const Session& session, HalfedgeId start, std::vector<bool>& visited) {
-  const PlanarMap& map = session.engine().map();
+TilingFace copy_face(const Simulation::Impl::OnlyTiling& only, HalfedgeId start, std::vector<bool>& visited) {
+  const PlanarMap& map = only.engine.map();
   TilingFace face;
   face.kind = face_kind(map, start);
   const ChainNode n = map.node(start);
   if (face.kind == FaceKind::node || face.kind == FaceKind::polygon_interior) {
-    face.body = session.bodies().body(node::in_p(n) ? Role::p : Role::q);
+    face.body = only.body(n);
     face.depth = node::depth(n);
   }
   if (face.kind == FaceKind::node) {
-    const PairGeometry& g = session.engine().geometry();
+    const PairGeometry& g = only.engine.geometry();
     const bool p = node::in_p(n);
     const std::uint32_t first = p ? 0 : g.np, size = p ? g.np : g.nq;
     const auto chain = ChainTree(size, p ? node::p_tree : node::q_tree).chain(n);
@@ -45,15 +45,38 @@ TilingFace copy_face(const Session& session, HalfedgeId start, std::vector<bool>
 
 }  // namespace
 
+const KineticSolver& Simulation::Impl::only_pair() const {
+  expect_decided();
+  const KineticSolver* const solver = world->single_pair();
+  if (!solver || !solver->bodies().has_single_rings())
+    throw InputError("bodies",
+                     "only a scene of two bodies, each one polygon, has one tiling: each two rings of others "
+                     "that are near have one of their own",
+                     "simulate two of its bodies, each as one polygon");
+  return *solver;
+}
+
+Simulation::Impl::OnlyTiling Simulation::Impl::tiling() const {
+  const KineticSolver& solver = only_pair();
+  if (!solver.engines()) throw InputError("bodies", "the bodies overlap", "there is no free space to tile");
+  return {solver, solver.engines()->engine(0)};
+}
+
 Tiling Simulation::tiling() const {
-  const Session& session = usable().decided_session();
-  const PlanarMap& map = session.engine().map();
-  const PairGeometry& g = session.engine().geometry();
+  const KineticSolver& solver = usable().only_pair();
+  const PairGeometry& g = solver.geometry();
+  const Engine* const engine = solver.engines() ? &solver.engines()->engine(0) : nullptr;
+  const MotionSegment& segment = engine ? engine->segment() : solver.segments().front();
+  const double parameter = engine ? engine->parameter() : segment.start;
   Tiling out;
-  out.time = time();
+  out.time = segment.time(parameter);
   for (std::uint32_t i = 0; i < g.size(); ++i) {
-    out.vertices.push_back({session.input_vertex(VertexId(i)), session.world(VertexId(i))});
+    const VertexId v(i);
+    out.vertices.push_back({solver.features().vertex(v), solver.features().world(v, segment, parameter)});
   }
+  if (!engine) return out;
+  const Impl::OnlyTiling only{solver, *engine};
+  const PlanarMap& map = engine->map();
   std::vector<bool> visited(map.halfedge_count(), false);
   for (std::uint32_t i = 0; i < map.halfedge_count(); ++i) {
     const HalfedgeId h(i);
@@ -63,14 +86,14 @@ Tiling Simulation::tiling() const {
       out.edges.push_back(
           {static_cast<int>(from.value), static_cast<int>(to.value), map.is_polygon_edge(h), !g.same_body(from, to)});
     }
-    if (!visited[i]) out.faces.push_back(copy_face(session, h, visited));
+    if (!visited[i]) out.faces.push_back(copy_face(only, h, visited));
   }
   return out;
 }
 
 TilingHalfedge Simulation::halfedge(int index) const {
-  const Session& session = usable().decided_session();
-  const PlanarMap& map = session.engine().map();
+  const Impl::OnlyTiling only = usable().tiling();
+  const PlanarMap& map = only.engine.map();
   const HalfedgeId h(index);
   TilingHalfedge out;
   if (index < 0 || h.value >= map.halfedge_count() || !map.alive(h)) return out;
@@ -79,20 +102,20 @@ TilingHalfedge Simulation::halfedge(int index) const {
   out.kind = face_kind(map, h);
   if (out.kind == FaceKind::node || out.kind == FaceKind::polygon_interior) {
     const ChainNode n = map.node(h);
-    out.body = session.bodies().body(node::in_p(n) ? Role::p : Role::q);
+    out.body = only.body(n);
     out.depth = node::depth(n);
   }
   return out;
 }
 
 std::vector<TilingHalfedge> Simulation::halfedges() const {
-  std::vector<TilingHalfedge> out(usable().decided_session().engine().map().halfedge_count());
+  std::vector<TilingHalfedge> out(usable().tiling().engine.map().halfedge_count());
   for (std::size_t i = 0; i < out.size(); ++i) out[i] = halfedge(static_cast<int>(i));
   return out;
 }
 
 std::vector<int> Simulation::changed_halfedges() const {
-  const PlanarMap& map = usable().decided_session().engine().map();
+  const PlanarMap& map = usable().tiling().engine.map();
   const RepairReport& report = usable().last;
   std::vector<int> out;
   const auto add = [&out](HalfedgeId h) { out.push_back(static_cast<int>(h.value)); };
@@ -110,11 +133,11 @@ std::vector<int> Simulation::changed_halfedges() const {
 }
 
 std::vector<ActiveCertificate> Simulation::active_set() const {
-  const Session& session = usable().decided_session();
+  const Impl::OnlyTiling only = usable().tiling();
   std::vector<ActiveCertificate> out;
-  session.engine().for_each_certificate([&](const Certificate& c) {
-    out.push_back({session.input_vertex(c.u), session.input_vertex(c.v), session.input_vertex(c.w), c.sign > 0,
-                   session.engine().segment().time(std::min(c.lo, session.engine().segment().end))});
+  only.engine.for_each_certificate([&](const Certificate& c) {
+    out.push_back({only.input_vertex(c.u), only.input_vertex(c.v), only.input_vertex(c.w), c.sign > 0,
+                   only.engine.segment().time(std::min(c.lo, only.engine.segment().end))});
   });
   return out;
 }
@@ -122,9 +145,9 @@ std::vector<ActiveCertificate> Simulation::active_set() const {
 namespace {
 
 /// 0 if the body plays P, 1 if it plays Q.
-std::size_t side_of(const Session& session, BodyId body) {
+std::size_t side_of(const KineticSolver& solver, BodyId body) {
   if (body < 0 || body > 1) throw InputError("", "there is no body " + std::to_string(body), "bodies are 0 and 1");
-  return session.bodies().body(Role::p) == body ? 0 : 1;
+  return solver.bodies().body(Role::p) == body ? 0 : 1;
 }
 
 ChainTree tree_of(const PairGeometry& g, std::size_t side) {
@@ -134,15 +157,15 @@ ChainTree tree_of(const PairGeometry& g, std::size_t side) {
 }  // namespace
 
 int Simulation::levels(BodyId body) const {
-  const Session& s = usable().decided_session();
-  const ChainTree tree = tree_of(s.engine().geometry(), side_of(s, body));
+  const Impl::OnlyTiling only = usable().tiling();
+  const ChainTree tree = tree_of(only.engine.geometry(), side_of(only.solver, body));
   return node::depth(tree.leaf(0)) + 1;
 }
 
 GeodesicCycle Simulation::geodesic_cycle(BodyId body, int level) const {
-  const Session& session = usable().decided_session();
-  const std::size_t side = side_of(session, body);
-  const Engine& engine = session.engine();
+  const Impl::OnlyTiling only = usable().tiling();
+  const std::size_t side = side_of(only.solver, body);
+  const Engine& engine = only.engine;
   const PairGeometry& g = engine.geometry();
   if (engine.segment().bridge)
     throw InputError("", "a jump between two pieces of a motion is being bridged", "advance a little");

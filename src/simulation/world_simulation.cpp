@@ -29,13 +29,15 @@ Bounds bounds_of(const Instance& instance, BodyId body) {
 
 }  // namespace
 
-WorldSimulation::WorldSimulation(const Scene& scene, Touch touch, std::uint64_t max_events)
+WorldSimulation::WorldSimulation(const Scene& scene, Touch touch, std::uint64_t max_events, KineticObserver* observer)
     : touch_(touch),
+      observer_(observer),
       start_(scene.start),
       instance_(validated(scene)),
       near_(instance_),
       budget_(max_events),
-      now_(scene.start) {
+      now_(scene.start),
+      processed_(scene.start) {
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     names_.push_back(scene.bodies[i].name);
     extent_ = std::max(extent_, diagonal(bounds_of(instance_, static_cast<BodyId>(i))));
@@ -45,12 +47,10 @@ WorldSimulation::WorldSimulation(const Scene& scene, Touch touch, std::uint64_t 
   answer_.outcome = Outcome::free;
   note_tested();
   near_.begin(now_);
-  open_window();
   ask_starts();
 }
 
-/// Pairs that are no longer near are forgotten.
-void WorldSimulation::open_window() {
+void WorldSimulation::forget_distant_pairs() {
   std::erase_if(pairs_, [&](const auto& entry) { return !near_.has(entry.first.first, entry.first.second); });
 }
 
@@ -58,20 +58,45 @@ KineticSolver& WorldSimulation::pair(const Key& key) {
   auto known = pairs_.find(key);
   if (known == pairs_.end()) {
     // Made first: a limit may end that.
-    auto fresh = std::make_unique<KineticSolver>(instance_, key.first, key.second, offset_for(touch_), budget_);
+    auto fresh =
+        std::make_unique<KineticSolver>(instance_, key.first, key.second, offset_for(touch_), budget_, observer_);
     known = pairs_.emplace(key, std::move(fresh)).first;
   }
   return *known->second;
 }
 
+KineticSolver* WorldSimulation::single_pair() {
+  return instance_.is_single_pair() && !pairs_.empty() ? pairs_.begin()->second.get() : nullptr;
+}
+
+const KineticSolver* WorldSimulation::single_pair() const {
+  return const_cast<WorldSimulation*>(this)->single_pair();  // which changes nothing
+}
+
+const RingEngines* WorldSimulation::engines(int a, int b) const {
+  const auto known = pairs_.find(key(a, b));
+  return known == pairs_.end() ? nullptr : known->second->engines();
+}
+
 /// Do any two bodies overlap, or touch?
 void WorldSimulation::ask_starts() {
+  if (instance_.is_single_pair()) {
+    near_.each([this](int a, int b) { pair({a, b}).ask_start(); });
+    return conclude();
+  }
   std::vector<int> all;
   for (const InstanceBody& body : instance_.bodies()) all.push_back(body.rings->body());
   MeetingBoxes(instance_, all, instance_.start(), instance_.start()).each([&](int a, int b, bool) {
     pair({a, b}).ask_start();
   });
   conclude();
+}
+
+bool WorldSimulation::may_meet_at_start(int a, int b) const {
+  const auto box = [&](int k) {
+    return swept_box(instance_.bodies()[static_cast<std::size_t>(k)], instance_.start(), instance_.start());
+  };
+  return instance_.is_single_pair() || box(a).meets(box(b));
 }
 
 /// The same of pairs that are asked about for the first time: of bodies that have moved alike, or, at the start of the
@@ -82,15 +107,12 @@ void WorldSimulation::ask_starts_of(const std::vector<int>& changed, const std::
     if (found == changed.end() || *found != k) return instance_.bodies()[static_cast<std::size_t>(k)].group;
     return groups_before[static_cast<std::size_t>(found - changed.begin())];
   };
-  const auto box = [&](int k) {
-    return swept_box(instance_.bodies()[static_cast<std::size_t>(k)], instance_.start(), instance_.start());
-  };
   bool met = false;
   for (const int body : changed) {
     near_.each_of(body, [&](int other) {
       const bool parted = !instance_.tests_groups() && group_before(body) == group_before(other);
       if (!parted && now_ > instance_.start()) return;
-      if (pairs_.count(key(body, other)) > 0 || !box(body).meets(box(other))) return;
+      if (pairs_.count(key(body, other)) > 0 || !may_meet_at_start(body, other)) return;
       KineticSolver& asked = pair(key(body, other));
       asked.ask_start();
       met = met || !asked.open();
@@ -100,14 +122,15 @@ void WorldSimulation::ask_starts_of(const std::vector<int>& changed, const std::
 }
 
 void WorldSimulation::advance(double t) {
-  while (!over() && now_ < t) {
+  while (!over() && processed_ < t) {
     const double to = std::min(t, near_.until());
     advance_pairs(to);
     if (over()) return;
-    now_ = to;
-    if (now_ < near_.until() || near_.last()) continue;
+    processed_ = to;
+    now_ = std::max(now_, to);
+    if (to < near_.until() || near_.last()) continue;
     near_.next();
-    open_window();
+    forget_distant_pairs();
   }
 }
 
@@ -122,22 +145,62 @@ void WorldSimulation::advance_pairs(double to) {
   conclude();
 }
 
-std::optional<TimeInterval> WorldSimulation::next_event() {
+/// The near pair whose next event up to t comes first; null if no near pair has one.
+KineticSolver* WorldSimulation::first_to_fail(double t) {
+  KineticSolver* first = nullptr;
+  next_ = {t, t};
+  near_.each([&](int a, int b) {
+    KineticSolver& near = pair({a, b});
+    if (!near.engines()) near.work(near_.from(), now_, std::numeric_limits<std::uint64_t>::max());
+    if (!near.engines()) return;
+    const auto next = near.engines()->next_event(next_.hi);
+    if (!next || (first && next->first >= next_.lo)) return;
+    next_ = {next->first, next->second};
+    first = &near;
+  });
+  return first;
+}
+
+std::optional<TimeInterval> WorldSimulation::next_event(double t) {
   while (!over()) {
-    std::optional<std::pair<double, double>> first;
-    near_.each([&](int a, int b) {
-      KineticSolver& near = pair({a, b});
-      if (!near.engines()) near.work(near_.from(), now_, std::numeric_limits<std::uint64_t>::max());
-      if (!near.engines()) return;
-      const auto next = near.engines()->next_event(first ? std::min(near_.until(), first->second) : near_.until());
-      if (next && (!first || next->first < first->first)) first = next;
-    });
-    if (first) return TimeInterval{first->first, first->second};
+    const double until = std::min(t, near_.until());
+    if (first_to_fail(until)) {
+      note_time();
+      return next_;
+    }
     conclude();
-    if (near_.last() || over()) return std::nullopt;
-    advance(near_.until());
+    if (over() || near_.last() || near_.until() >= t) break;
+    advance(until);
   }
   return std::nullopt;
+}
+
+bool WorldSimulation::step(double t) {
+  const std::uint64_t before = events();
+  if (next_event(t)) {
+    KineticSolver& first = *first_to_fail(std::min(t, near_.until()));
+    first.step(first.at(), std::min(t, near_.until()));
+    if (pairs_.size() > 1) {
+      advance_pairs(std::min(next_.hi, near_.until()));
+    } else {
+      certificates_max_ = std::max(certificates_max_, certificates());
+      conclude();
+    }
+    note_time();
+  } else {
+    advance(t);
+  }
+  return events() > before && !over();
+}
+
+/// Without events, engines may have followed a motion beyond the present.
+void WorldSimulation::note_time() {
+  if (over()) return;
+  double least = near_.until();
+  for (const auto& [key, near] : pairs_) {
+    if (near->engines()) least = std::min(least, near->engines()->time());
+  }
+  now_ = std::max(now_, least);
 }
 
 void WorldSimulation::conclude() {
@@ -146,12 +209,12 @@ void WorldSimulation::conclude() {
     if (!near->open()) events.push_back({answer_of(near->result()), near->instant()});
   }
   if (events.empty()) return;
-  // Nothing happens before the present: enclosures may begin a little before it.
+  // What has been processed is free, though enclosures may begin a little before its end.
   for (PairEvent& event : events) {
-    event.pair.free_until = std::max(event.pair.free_until, now_);
+    event.pair.free_until = std::max(event.pair.free_until, processed_);
     if (!event.pair.contact) continue;
     TimeInterval& time = event.pair.contact->time;
-    time = {std::max(time.lo, now_), std::max(time.hi, now_)};
+    time = {std::max(time.lo, processed_), std::max(time.hi, processed_)};
   }
   take_earliest(events, answer_);
   now_ = std::max(now_, answer_.free_until);
@@ -159,7 +222,14 @@ void WorldSimulation::conclude() {
   answer_.overlap_point = common_point(instance_.pair((*answer_.pair)[0], (*answer_.pair)[1]), instance_.start());
 }
 
-Coverage WorldSimulation::coverage() const { return instance_.coverage(instance_.coverage(0).apart); }
+Coverage WorldSimulation::coverage() const {
+  if (single_pair()) {
+    Coverage tested;
+    tested.pairs = tested.tested = 1;
+    return tested;
+  }
+  return instance_.coverage(instance_.coverage(0).apart);
+}
 
 std::uint64_t WorldSimulation::certificates() const {
   std::uint64_t sum = 0;
@@ -169,10 +239,13 @@ std::uint64_t WorldSimulation::certificates() const {
   return sum;
 }
 
-void WorldSimulation::check_motion(BodyId body, const Motion& motion) const {
+void WorldSimulation::check_body(BodyId body) const {
   const auto count = static_cast<BodyId>(names_.size());
   if (body < 0 || body >= count)
     throw InputError("", "there is no body " + std::to_string(body), "bodies are 0 to " + std::to_string(count - 1));
+}
+
+void WorldSimulation::check_motion(BodyId body, const Motion& motion) const {
   const std::string& name = names_[static_cast<std::size_t>(body)];
   const Bounds bounds = bounds_of(instance_, body);
   validate_motion(motion, name, bounds, now_, end(), extent_);
@@ -186,19 +259,35 @@ void WorldSimulation::check_motion(BodyId body, const Motion& motion) const {
 }
 
 void WorldSimulation::set_motion(BodyId body, const Motion& motion) {
-  check_motion(body, motion);
+  check_body(body);
+  // Events that nearly coincide with the last one, and the rest of a bridge, belong to the old motion.
+  if (now_ > processed_) advance(now_);
   if (over()) return;
+  check_motion(body, motion);
   const double from = now_ > start_ ? std::nextafter(now_, start_) : now_;
   const std::vector<int> changed = instance_.followers(body);
   std::vector<int> groups;
-  for (const int k : changed) {
-    groups.push_back(instance_.bodies()[static_cast<std::size_t>(k)].group);
-    near_.each_of(k, [&](int other) { pairs_.erase(key(k, other)); });
-  }
+  for (const int k : changed) groups.push_back(instance_.bodies()[static_cast<std::size_t>(k)].group);
   instance_.replan(body, motion, now_, from);
-  note_tested();
   near_.change(changed, from);
+  forget_distant_pairs();
+  for (const int k : changed) replan_pairs_of(k);
+  note_tested();
   ask_starts_of(changed, groups);
+}
+
+/// A tiling stays if it corresponds to the present. At the start of the scene no bridge is possible.
+void WorldSimulation::replan_pairs_of(int body) {
+  near_.each_of(body, [&](int other) {
+    const auto known = pairs_.find(key(body, other));
+    if (known == pairs_.end()) return;
+    const RingEngines* engines = known->second->engines();
+    if (engines && engines->time() == now_ && now_ > instance_.start()) {
+      known->second->replan(now_);
+    } else {
+      pairs_.erase(known);
+    }
+  });
 }
 
 }  // namespace taut::internal

@@ -1,4 +1,4 @@
-// A world that goes on: its near pairs, each with the kinetic engine, up to the same time.
+// A scene that goes on: its near pairs, each with the kinetic engine, up to the same time.
 #pragma once
 
 #include <algorithm>
@@ -16,27 +16,37 @@
 
 namespace taut::internal {
 
-/// Stands at a time up to which no pair that is asked about meets. The pairs that are near in the present window of
-/// time have tilings, all followed to that time; no other pair costs anything until the next window. A body that
-/// changes its plan takes the tilings of its pairs with it, and those of the bodies that are seen from it: they are
-/// built anew, just before the present, so that what the old pose and the new one differ by is bridged. All others
-/// stay, and cost nothing then.
+/// It has a current time up to which no tested pair meets. The pairs that are near in the current window of time have
+/// tilings, all followed to that time; no other pair costs anything until the next window. A single pair is always
+/// near. If a body changes its motion, the certificates of its pairs, and of the pairs of the bodies that are attached
+/// to it, are computed anew; a bridge covers the rounding by which the old and the new pose differ. The tilings stay.
 class WorldSimulation {
  public:
-  /// Throws InputError.
-  WorldSimulation(const Scene& scene, Touch touch, std::uint64_t max_events);
+  /// The observer of the single pair's events may be null. Throws InputError.
+  WorldSimulation(const Scene& scene, Touch touch, std::uint64_t max_events, KineticObserver* observer = nullptr);
 
-  /// All events up to t, or to a contact.
+  /// Processes all events up to t, or to a contact.
   void advance(double t);
-  /// An enclosure of the time of the next event of any pair. Goes on to the end of windows in which there is none.
-  std::optional<TimeInterval> next_event();
+  /// Processes the next event up to t, and those of other pairs that are not later. If there is none, it advances to t.
+  /// Returns false then, and after a contact.
+  bool step(double t);
+  /// An enclosure of the time of the next event of any pair up to t. Proceeds to the end of windows that have none.
+  std::optional<TimeInterval> next_event(double t);
   /// From the present on. Throws InputError, and changes nothing.
   void set_motion(BodyId body, const Motion& motion);
 
   double start() const { return start_; }
   double end() const { return instance_.end(); }
-  /// Up to where it is proved free.
+  const Instance& instance() const { return instance_; }
+  /// The solver of the single pair; null if there is none.
+  const KineticSolver* single_pair() const;
+  KineticSolver* single_pair();
+  /// The current tilings of two bodies; null if they have none.
+  const RingEngines* engines(int a, int b) const;
+  /// The time to which the tilings correspond. All events before it are processed, but for some that nearly coincide
+  /// with the last one.
   double time() const { return now_; }
+  bool finished() const { return processed_ >= end(); }
   /// Something has happened: a contact, an overlap, or what was not decided. Then that is the answer.
   bool over() const { return answer_.outcome != Outcome::free; }
   const Answer& answer() const { return answer_; }
@@ -53,15 +63,21 @@ class WorldSimulation {
   using Key = std::pair<int, int>;
   static Key key(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
   KineticSolver& pair(const Key& key);
-  void open_window();
+  KineticSolver* first_to_fail(double t);
+  void forget_distant_pairs();
+  bool may_meet_at_start(int a, int b) const;
   void ask_starts();
   void ask_starts_of(const std::vector<int>& changed, const std::vector<int>& groups_before);
   void advance_pairs(double to);
+  void replan_pairs_of(int body);
+  void note_time();
   void conclude();
+  void check_body(BodyId body) const;
   void check_motion(BodyId body, const Motion& motion) const;
   void note_tested() { has_tested_ = has_tested_ || !coverage().is_empty(); }
 
   Touch touch_;
+  KineticObserver* observer_;
   double start_;
   Instance instance_;
   std::vector<std::string> names_;
@@ -69,7 +85,9 @@ class WorldSimulation {
   NearPairs near_;
   std::map<Key, std::unique_ptr<KineticSolver>> pairs_;
   EventBudget budget_;
-  double now_;
+  double now_;        ///< the time to which the tilings correspond
+  double processed_;  ///< all events before this time are processed
+  TimeInterval next_{};
   std::uint64_t certificates_max_ = 0;
   bool has_tested_ = false;
   Answer answer_;

@@ -40,6 +40,9 @@ class Instance {
   /// The largest magnitude of a coordinate, in the plan's units.
   double largest() const { return largest_; }
 
+  /// Two bodies: their pair is followed over the whole time, whether they are near or not.
+  bool is_single_pair() const { return bodies_.size() == 2; }
+  bool ignored(int a, int b) const { return ignored_.has(a, b); }
   /// Are the two bodies asked about? a != b.
   bool asked(int a, int b) const;
   /// Are pairs of one group asked about? Nothing happens to them after the start.

@@ -6,11 +6,11 @@
 #include <map>
 #include <set>
 
-#include "kinetic/session.hpp"
 #include "motion/pieces.hpp"
 #include "pair/placement.hpp"
 #include "support/effort.hpp"
 #include "support/random_scenes.hpp"
+#include "support/tiling_run.hpp"
 #include "tiling/geodesic_faces.hpp"
 #include "tiling/static_tiling.hpp"
 
@@ -168,13 +168,13 @@ TEST(Lasso, GivesTheRootEdgesInAllStates) {
     for (const Family family : {Family::apart, Family::intertwined, Family::nested, Family::corridor}) {
       SCOPED_TRACE(std::string(to_string(family)) + " seed " + std::to_string(seed));
       const Scene scene = random_scene(5000 + seed, family);
-      Session session(scene, Touch::open, nullptr);
-      for (int sample = 0; sample < 6 && !session.finished(); ++sample) {
+      TilingRun run(scene);
+      for (int sample = 0; sample < 6 && !run.finished(); ++sample) {
         const double t = scene.start + (scene.end - scene.start) * sample / 6;
-        while (session.step(t)) {
+        while (run.step(t)) {
         }
-        if (session.finished() || session.engine().segment().bridge) break;
-        const Placement placement(session.engine().geometry(), session.engine().segment(), t);
+        if (run.finished() || run.engine().segment().bridge) break;
+        const Placement placement(run.engine().geometry(), run.engine().segment(), t);
         FreeTriangulation triangulation;
         ASSERT_FALSE(triangulate_free_space(placement, triangulation));
         const StaticTiling tiling = build_tiling(placement);

@@ -10,10 +10,10 @@
 #include <set>
 
 #include "generators/generators.hpp"
-#include "kinetic/session.hpp"
 #include "pair/placement.hpp"
 #include "support/effort.hpp"
 #include "support/random_scenes.hpp"
+#include "support/tiling_run.hpp"
 #include "taut/check.hpp"
 #include "taut/io.hpp"
 #include "taut/separator.hpp"
@@ -263,14 +263,14 @@ TEST(Paper, ScenesOfTheFiguresHaveTheirEvents) {
     EXPECT_GE(counter.seen[repair], 1) << repair;
   std::set<std::string> states;
   const Scene scene = read_scene("examples/paper/fig5.json");
-  Session session(scene, Touch::open, nullptr);
+  TilingRun run(scene);
   for (int k = 1; k < 100; ++k) {
     const double t = scene.start + (scene.end - scene.start) * k / 100;
-    while (session.step(t)) {
+    while (run.step(t)) {
     }
-    const Placement placement(session.engine().geometry(), session.engine().segment(), session.engine().parameter());
+    const Placement placement(run.engine().geometry(), run.engine().segment(), run.engine().parameter());
     const StaticTiling fresh = build_tiling(placement);
-    EXPECT_EQ(difference(session.engine().map(), fresh.map), "");
+    EXPECT_EQ(difference(run.engine().map(), fresh.map), "");
     states.insert(to_string(fresh.root));
   }
   EXPECT_EQ(states, (std::set<std::string>{"disjoint", "bridged", "mouth", "pinched"}));

@@ -52,17 +52,17 @@ TEST(PlanChange, MapsStayRight) {
       }
       double extent = 0;
       for (const Point& v : scene.bodies[0].polygon) extent = std::max({extent, std::fabs(v.x), std::fabs(v.y)});
-      Session session(scene, Touch::open, nullptr);
+      TilingRun run(scene);
       MotionPiece current[2] = {scene.bodies[0].motion.pieces[0], scene.bodies[1].motion.pieces[0]};
-      for (double t = 0; t < 12 && !session.finished(); t += rng.real(0.05, 0.5)) {
-        while (session.step(t)) ASSERT_EQ(compare_with_static(session, counts), "");
-        if (session.finished()) break;
+      for (double t = 0; t < 12 && !run.finished(); t += rng.real(0.05, 0.5)) {
+        while (run.step(t)) ASSERT_EQ(compare_with_static(run, counts), "");
+        if (run.finished()) break;
         const int body = rng.below(2);
         const Motion plan = new_plan(rng, current[body], t, extent / 20);
-        session.set_motion(body, plan);
+        run.set_motion(body, plan);
         current[body] = plan.pieces[0];
         ++changes;
-        ASSERT_EQ(compare_with_static(session, counts), "");
+        ASSERT_EQ(compare_with_static(run, counts), "");
       }
     }
   }
@@ -85,16 +85,16 @@ void compare_moved_on(Scene scene, Point slide, double turn, double from_angle, 
   scene.end = 8;
   double x = 0, y = 0, angle = from_angle;
   scene.bodies[1].motion = plan(x, y, angle, {}, 0, 0);
-  Session session(scene, Touch::open, nullptr);
+  TilingRun run(scene);
   for (int k = 0; k < 8; ++k) {
     const double sign = k % 4 < 2 ? 1 : -1;
-    session.set_motion(1, plan(x, y, angle, {sign * slide.x, sign * slide.y}, sign * turn, k));
-    while (session.step(k + 1)) {
+    run.set_motion(1, plan(x, y, angle, {sign * slide.x, sign * slide.y}, sign * turn, k));
+    while (run.step(k + 1)) {
     }
-    ASSERT_FALSE(session.contact()) << "on the way to pose " << k + 1;
+    ASSERT_FALSE(run.answer().contact) << "on the way to pose " << k + 1;
     x += sign * slide.x, y += sign * slide.y, angle += sign * turn;
     if (k < 7) {
-      ASSERT_EQ(compare_with_static(session, counts), "") << "at pose " << k + 1;
+      ASSERT_EQ(compare_with_static(run, counts), "") << "at pose " << k + 1;
     }
   }
 }

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <filesystem>
 
-#include "kinetic/session.hpp"
 #include "motion/pieces.hpp"
 #include "relative/make_segments.hpp"
 #include "relative/motion_segment.hpp"

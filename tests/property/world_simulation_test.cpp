@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "generators/generators.hpp"
+#include "simulation/world_simulation.hpp"
 #include "support/cavity_scenes.hpp"
 #include "support/effort.hpp"
 #include "support/made_world.hpp"
@@ -179,6 +180,47 @@ TEST(WorldSimulation, RefusesWhatItCannotDoAndGoesOn) {
   EXPECT_EQ(limited.advance_to(10), SimulationState::undecided);
   EXPECT_NE(limited.reason().find("limit of 0 events"), std::string::npos);
   EXPECT_LE(limited.time(), 10);
+}
+
+/// A change of plan costs what it is about: no tiling is built anew, also not of bodies that are attached.
+TEST(WorldSimulation, TilingsStayWhereAMotionChanges) {
+  Scene scene;
+  scene.end = 10;
+  scene.bodies = {square_body("cart", 0, 0, from_velocity({0.25, 0})), square_body("load", 0, 0.5),
+                  square_body("post", 1.875, 0)};
+  scene.bodies[1].relative_to = "cart";
+  internal::WorldSimulation world(scene, Touch::open, UINT64_MAX);
+  world.advance(3);
+  const void *const cart = world.engines(0, 2), *const load = world.engines(1, 2);
+  ASSERT_NE(cart, nullptr);
+  ASSERT_NE(load, nullptr);
+  world.set_motion(0, Motion{{{{0.15, 0.2}, {}, NoRotation{}}}});  // slower, from the same place
+  EXPECT_EQ(world.engines(0, 2), cart);
+  EXPECT_EQ(world.engines(1, 2), load);
+  world.advance(10);
+  ASSERT_EQ(world.answer().outcome, Outcome::contact);
+  EXPECT_NEAR(world.answer().contact->time.lo, 3.625, 1e-12);
+  EXPECT_EQ(world.answer().also.size(), 1u);
+}
+
+/// Two bodies of one ring have one tiling, wherever they are attached.
+TEST(WorldSimulation, ACarriedPolygonHasATilingInTheWorld) {
+  Scene scene;
+  scene.end = 10;
+  scene.bodies = {square_body("cart", 0, 0, from_velocity({0.5, 1})),
+                  square_body("load", 3, 0, from_velocity({-0.1, 0}))};
+  scene.bodies[1].relative_to = "cart";
+  Simulation simulation(scene, Touch::open);
+  EXPECT_EQ(simulation.advance_to(4), SimulationState::running);
+  const Tiling tiling = simulation.tiling();
+  ASSERT_EQ(tiling.vertices.size(), 8u);
+  for (const TilingVertex& v : tiling.vertices) {
+    const Point local =
+        scene.bodies[static_cast<std::size_t>(v.vertex.body)].polygon[static_cast<std::size_t>(v.vertex.index)];
+    const double along = v.vertex.body == 0 ? 2 : 2 - 0.4;
+    EXPECT_NEAR(v.position.x, local.x + along, 1e-12);
+    EXPECT_NEAR(v.position.y, local.y + 4, 1e-12);
+  }
 }
 
 }  // namespace

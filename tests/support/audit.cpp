@@ -31,8 +31,8 @@ std::string compare_joined(const Placement& placement, const StaticTiling& fresh
 
 }  // namespace
 
-std::string compare_with_static(Session& session, AuditCounts& counts) {
-  return compare_with_static(session.engine(), session.end(), counts);
+std::string compare_with_static(TilingRun& run, AuditCounts& counts) {
+  return compare_with_static(run.engine(), run.end(), counts);
 }
 
 std::string compare_with_static(Engine& engine, double end, AuditCounts& counts) {
@@ -67,9 +67,10 @@ std::string compare_with_static(Engine& engine, double end, AuditCounts& counts)
 
 namespace {
 
-class RepairCounter : public EngineObserver {
+class RepairCounter : public EngineObserver, public KineticObserver {
  public:
   explicit RepairCounter(AuditCounts& counts) : counts_(counts) {}
+  void on_event(const KineticSolver&, const EngineEvent& e) override { on_event(e); }
   void on_event(const EngineEvent& e) override {
     ++counts_.events;
     ++counts_.repairs[to_string(e.report.repair)];
@@ -122,17 +123,16 @@ AuditResult audit(const Scene& scene, Touch touch, AuditCounts& counts, unsigned
   RepairCounter observer(counts);
   ++counts.scenes;
   guarded(result, [&] {
-    Session session(scene, touch, nullptr, &observer);
-    if (!session.finished()) {
-      result.fault =
-          follow(session.engine(), session.end(), counts, compare_every, [&] { session.step(session.end()); });
+    TilingRun simulation(scene, touch, &observer);
+    if (!simulation.finished()) {
+      result.fault = follow(simulation.engine(), simulation.end(), counts, compare_every,
+                            [&] { simulation.step(simulation.end()); });
     }
     if (!result.fault.empty()) return;
-    result.contact = session.contact();
-    result.outcome = session.overlap_at_start() ? Outcome::overlap_at_start
-                     : session.contact()        ? Outcome::contact
-                                                : Outcome::free;
-    counts.collisions += session.contact().has_value();
+    result.contact = simulation.answer().contact;
+    result.outcome = simulation.answer().outcome;
+    if (result.outcome == Outcome::undecided) result.fault = simulation.answer().reason;
+    counts.collisions += result.contact.has_value();
   });
   return result;
 }

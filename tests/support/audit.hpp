@@ -7,7 +7,7 @@
 #include <string>
 
 #include "kinetic/ring_engines.hpp"
-#include "kinetic/session.hpp"
+#include "support/tiling_run.hpp"
 #include "taut/scene.hpp"
 #include "world/instance.hpp"
 
@@ -40,9 +40,9 @@ struct RingAudit : AuditResult {
 RingAudit audit_rings(const Instance& world, int a, int b, Offset offset, AuditCounts& counts,
                       unsigned compare_every = 1);
 
-/// Compares the session's map with the static one at the middle between the present and the next event; says what
+/// Compares the run's map with the static one at the middle between the present and the next event; says what
 /// differs, or nothing.
-std::string compare_with_static(Session& session, AuditCounts& counts);
+std::string compare_with_static(TilingRun& run, AuditCounts& counts);
 std::string compare_with_static(Engine& engine, double end, AuditCounts& counts);
 
 }  // namespace taut::testing

@@ -9,8 +9,8 @@
 #include "base/budget.hpp"
 #include "check/run.hpp"
 #include "generators/generators.hpp"
-#include "kinetic/session.hpp"
 #include "support/effort.hpp"
+#include "support/tiling_run.hpp"
 #include "taut/check.hpp"
 #include "taut/error.hpp"
 #include "taut/proof.hpp"
@@ -114,7 +114,7 @@ Scene cavity() { return cavity_of(100000); }
 TEST(InterruptionOfTheBridge, IsNotNeededWithinALittleWork) {
   const Scene scene = cavity_of(4000);
   const Budget scope(std::uint64_t{200000});
-  EXPECT_NO_THROW(Session(scene, Touch::open, nullptr));
+  EXPECT_NO_THROW(testing::TilingRun{scene});
 }
 
 struct Hostile {

@@ -5,13 +5,13 @@
 
 #include <cmath>
 
-#include "kinetic/session.hpp"
 #include "motion/pieces.hpp"
 #include "pair/body_pair.hpp"
 #include "relative/make_segments.hpp"
 #include "sign/precise_triple.hpp"
 #include "support/effort.hpp"
 #include "support/random_scenes.hpp"
+#include "support/tiling_run.hpp"
 #include "taut/io.hpp"
 
 namespace taut::testing {
@@ -118,9 +118,9 @@ StageCounts stages_of_cams(double time) {
       if (auto* turns = std::get_if<AngleRotation>(&piece.rotation)) turns->angle[1] /= time;
     }
   }
-  Session session(scene, Touch::open, nullptr);
-  while (!session.finished()) session.step(scene.end);
-  return session.engine().stages();
+  TilingRun run(scene);
+  while (!run.finished()) run.step(scene.end);
+  return run.engine().stages();
 }
 
 /// Frames about ties count time in units of their own.

@@ -190,15 +190,28 @@ TEST(MotionSegments, AreTheSameWhileHeld) {
   EXPECT_EQ(copy.hold(7), held);
 }
 
-TEST(MotionSegments, OneCanComeFirst) {
+TEST(MotionSegments, CanLoseTheFirstOne) {
   MotionSegments segments = keyframes(30);
   const double end = segments[20].end;
-  segments.put_first(MotionSegment::bridging(MotionPiece{}, MotionPiece{}, MotionPiece{}, MotionPiece{}, 0));
-  EXPECT_EQ(segments.size(), 60u);
+  segments.drop_first();
+  EXPECT_EQ(segments.size(), 58u);
   EXPECT_TRUE(segments.front().bridge);
-  EXPECT_EQ(segments[21].end, end);
-  EXPECT_EQ(segments.place(0).end, 0);
-  EXPECT_EQ(segments.first_until(0), 0u);
+  EXPECT_EQ(segments[19].end, end);
+  EXPECT_EQ(segments.place(0).end, 1);
+  EXPECT_EQ(segments.first_until(1), 0u);
+}
+
+TEST(MotionSegments, ExchangedHaveTheOtherRoles) {
+  MotionSegments segments = keyframes(3);
+  segments.drop_first();
+  const MotionSegments exchanged = segments.exchanged();
+  ASSERT_EQ(exchanged.size(), segments.size());
+  for (std::size_t k = 0; k < segments.size(); ++k) {
+    EXPECT_EQ(exchanged[k].bridge, segments[k].bridge);
+    EXPECT_EQ(exchanged.place(k).end, segments.place(k).end);
+    EXPECT_TRUE(same_motion(exchanged[k].p, segments[k].q));
+    EXPECT_TRUE(same_motion(exchanged[k].q, segments[k].p));
+  }
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "kinetic/session.hpp"
 #include "motion/pieces.hpp"
 #include "pair/placement.hpp"
 #include "relative/make_segments.hpp"

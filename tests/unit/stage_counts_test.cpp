@@ -1,10 +1,10 @@
 // Which stages tell what: counted by the same struct in both engines.
 #include <gtest/gtest.h>
 
-#include "kinetic/session.hpp"
 #include "numeric/stages.hpp"
 #include "pair/body_pair.hpp"
 #include "sign/precise_triple.hpp"
+#include "support/tiling_run.hpp"
 #include "taut/check.hpp"
 #include "taut/io.hpp"
 
@@ -21,9 +21,9 @@ Scene passing(const std::string& height) {
 }
 
 StageCounts stages_of(const Scene& scene, Touch touch) {
-  Session session(scene, touch, nullptr);
-  while (!session.finished()) session.step(scene.end);
-  return session.engine().stages();
+  testing::TilingRun run(scene, touch);
+  while (!run.finished()) run.step(scene.end);
+  return run.engine().stages();
 }
 
 TEST(StageCounts, DoublesDoWhereNothingIsInLine) {
