@@ -121,7 +121,7 @@ cat >open.svg <<'END'
 END
 expect 2 '' 'open.svg:2:1: an outline stays open, with a gap of 0.5 from \(0' import open.svg --svg open_report.svg
 grep -q '#d62828' open_report.svg || { echo "FAILED: the picture shows nothing open"; failures=$((failures + 1)); }
-expect 2 '' 'hint: close it with --join 0.505' import open.svg
+expect 2 '' 'hint: close it by straight lines with --open close, or with --join 0.505' import open.svg
 expect 0 '"holes":\[\[' 'gap: 0.5 wide, from \(0, ' import open.svg --join 0.6
 expect 0 '"holes":\[\[' 'layer mark: 1 contour is a hole in material of layer cut' import open.svg --join 0.6
 expect 0 '"holes":\[\[' 'open: line at open.svg:2:60, layer cut, from \(30, -30\) to \(35, -30\)$' import open.svg --open close

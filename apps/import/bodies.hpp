@@ -40,6 +40,7 @@ class BodyMaker {
   static void merge_layers(Drawing& drawing, const std::vector<std::string>& names, bool all);
   void read_lines(Drawing& drawing);
   void note_coarse_join(const std::vector<LineLayer>& lines);
+  void note_conflicts(const Drawing& drawing, const std::vector<LineLayer>& lines, const LayerPlan& plan);
   void cut_out(Layer& layer, std::vector<Named>& parts);
   void require_clear_nesting(const Drawing& drawing, const std::vector<Piece>& pieces);
   void require_nothing_lost(const Drawing& drawing);

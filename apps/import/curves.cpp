@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "import/open_lines.hpp"
 #include "taut/error.hpp"
 
 namespace taut::drawing {
@@ -53,12 +54,6 @@ HalfAxes half_axes_of(const Point& a, const Point& b) {
   if (round) axes.shorter = axes.longer;
   axes.degrees = round ? 0 : std::atan2(u.y, u.x) * 360 / full_turn;
   return axes;
-}
-
-double distance_to_segment(const Point& p, const Point& a, const Point& b) {
-  const double x = b.x - a.x, y = b.y - a.y, length = x * x + y * y;
-  const double along = length > 0 ? std::clamp(((p.x - a.x) * x + (p.y - a.y) * y) / length, 0.0, 1.0) : 0;
-  return std::hypot(p.x - a.x - along * x, p.y - a.y - along * y);
 }
 
 ControlPoint between(const ControlPoint& a, const ControlPoint& b, double t) {

@@ -23,11 +23,7 @@ struct LayerSegment {
   const Chain* chain;
 };
 
-double distance_to(const LayerSegment& s, const Point& p) {
-  const double x = s.b.x - s.a.x, y = s.b.y - s.a.y, length = x * x + y * y;
-  const double along = length > 0 ? std::clamp(((p.x - s.a.x) * x + (p.y - s.a.y) * y) / length, 0.0, 1.0) : 0;
-  return std::hypot(p.x - s.a.x - along * x, p.y - s.a.y - along * y);
-}
+double distance_to(const LayerSegment& s, const Point& p) { return distance_to_segment(p, s.a, s.b); }
 
 /// Does the first segment reach more than `least` beyond the second one, on both sides?
 bool cross_clearly(const LayerSegment& s, const LayerSegment& t, double least) {
@@ -35,6 +31,19 @@ bool cross_clearly(const LayerSegment& s, const LayerSegment& t, double least) {
   if (orientation(t.a, t.b, s.a) * orientation(t.a, t.b, s.b) >= 0) return false;
   return distance_to(t, s.a) > least && distance_to(t, s.b) > least && distance_to(s, t.a) > least &&
          distance_to(s, t.b) > least;
+}
+
+/// Do the segments run along each other, at most `width` apart, for more than `least`?
+bool run_along(const LayerSegment& s, const LayerSegment& t, double width, double least) {
+  const double x = s.b.x - s.a.x, y = s.b.y - s.a.y, length = std::hypot(x, y);
+  if (!(length > least)) return false;
+  const auto along = [&](const Point& p) { return ((p.x - s.a.x) * x + (p.y - s.a.y) * y) / length; };
+  const auto above = [&](const Point& p) { return ((p.y - s.a.y) * x - (p.x - s.a.x) * y) / length; };
+  const double from = along(t.a), to = along(t.b);
+  const double lo = std::max(0.0, std::min(from, to)), hi = std::min(length, std::max(from, to));
+  if (!(hi - lo > least)) return false;
+  const auto height = [&](double u) { return above(t.a) + (u - from) / (to - from) * (above(t.b) - above(t.a)); };
+  return std::fabs(height(lo)) <= width && std::fabs(height(hi)) <= width;
 }
 
 class Planner {
@@ -50,21 +59,22 @@ class Planner {
   LayerPlan plan() {
     while (join_where_ends_meet()) {
     }
-    find_crossings();
+    find_conflicts();
     LayerPlan plan;
     std::map<std::size_t, std::size_t> index;  // of sets
     std::vector<std::size_t> common;
     for (std::size_t k = 0; k < layers_.size(); ++k)
-      if (!crossing_.count(set_[k])) common.push_back(k);
+      if (!apart_.count(set_[k])) common.push_back(k);
     plan.common = !common.empty();
     if (plan.common) plan.sets.push_back(std::move(common));
-    for (const std::size_t root : crossing_) {
+    for (const std::size_t root : apart_) {
       index[root] = plan.sets.size();
       plan.sets.emplace_back();
       for (std::size_t k = 0; k < layers_.size(); ++k)
         if (set_[k] == root) plan.sets.back().push_back(k);
     }
-    for (const auto& [pair, at] : where_) plan.crossings.push_back({index.at(pair.first), index.at(pair.second), at});
+    for (const auto& [pair, where] : where_)
+      plan.conflicts.push_back({index.at(pair.first), index.at(pair.second), where.at, where.along});
     return plan;
   }
 
@@ -126,7 +136,7 @@ class Planner {
     settled_.erase(to);
   }
 
-  /// The segments of chains whose boxes meet those of other sets: others cross nothing of these.
+  /// The segments of chains whose boxes meet those of other sets: others have no conflict with these.
   std::vector<LayerSegment> segments_near_others() const {
     std::vector<std::pair<const Chain*, std::size_t>> chains;
     std::vector<SegmentBox> boxes;
@@ -147,21 +157,34 @@ class Planner {
     return segments;
   }
 
-  void find_crossings() {
+  struct Where {
+    Point at;
+    bool along;
+  };
+
+  void find_conflicts() {
     const std::vector<LayerSegment> segments = segments_near_others();
     SegmentStrips(boxes_of(segments)).each_pair([&](std::size_t i, std::size_t j) {
       const LayerSegment &s = segments[i], &t = segments[j];
       const std::size_t a = std::min(set_[s.layer], set_[t.layer]), b = std::max(set_[s.layer], set_[t.layer]);
-      if (a == b || where_.count({a, b}) || !cross_clearly(s, t, settings_.join)) return;
-      where_[{a, b}] = {(std::max(std::min(s.a.x, s.b.x), std::min(t.a.x, t.b.x)) +
-                         std::min(std::max(s.a.x, s.b.x), std::max(t.a.x, t.b.x))) /
-                            2,
-                        (std::max(std::min(s.a.y, s.b.y), std::min(t.a.y, t.b.y)) +
-                         std::min(std::max(s.a.y, s.b.y), std::max(t.a.y, t.b.y))) /
-                            2};
-      crossing_.insert(a);
-      crossing_.insert(b);
+      if (a == b) return;
+      const auto known = where_.find({a, b});
+      if (known != where_.end() && !known->second.along) return;
+      const bool cross = cross_clearly(s, t, settings_.join);
+      if (!cross && (known != where_.end() || !run_along(s, t, settings_.join / 2, settings_.join))) return;
+      where_[{a, b}] = {middle_of_common_box(s, t), !cross};
+      apart_.insert(a);
+      apart_.insert(b);
     });
+  }
+
+  static Point middle_of_common_box(const LayerSegment& s, const LayerSegment& t) {
+    return {(std::max(std::min(s.a.x, s.b.x), std::min(t.a.x, t.b.x)) +
+             std::min(std::max(s.a.x, s.b.x), std::max(t.a.x, t.b.x))) /
+                2,
+            (std::max(std::min(s.a.y, s.b.y), std::min(t.a.y, t.b.y)) +
+             std::min(std::max(s.a.y, s.b.y), std::max(t.a.y, t.b.y))) /
+                2};
   }
 
   const std::vector<LineLayer>& layers_;
@@ -169,9 +192,9 @@ class Planner {
   std::vector<std::size_t> set_;  ///< of each layer: the least layer of its set
   std::vector<LayerSegment> segments_;
   std::unique_ptr<SegmentStrips> strips_;
-  std::set<std::size_t> settled_;   ///< sets whose loose ends are known
-  std::set<std::size_t> crossing_;  ///< sets that cross another one
-  std::map<std::pair<std::size_t, std::size_t>, Point> where_;
+  std::set<std::size_t> settled_;  ///< sets whose loose ends are known
+  std::set<std::size_t> apart_;    ///< sets that have a conflict with another one
+  std::map<std::pair<std::size_t, std::size_t>, Where> where_;
 };
 
 }  // namespace

@@ -15,24 +15,25 @@ struct LineLayer {
   std::string name = {};  ///< of what they are, within the layer
 };
 
-/// Two layers whose lines cross.
-struct LayerCrossing {
+/// Two layers whose lines cross, or run along each other.
+struct LayerConflict {
   std::size_t first = 0, second = 0;  ///< indices of the sets
   Point at;
+  bool along = false;  ///< they share a part of a line, and do not cross
 };
 
 struct LayerPlan {
   std::vector<std::vector<std::size_t>> sets;  ///< indices of line layers that are read together
-  std::vector<LayerCrossing> crossings;        ///< of layers that are therefore read apart
-  bool common = false;                         ///< is the first set of layers that cross no other one?
+  std::vector<LayerConflict> conflicts;        ///< of layers that are therefore read apart
+  bool common = false;                         ///< is the first set of layers that have no conflict?
 };
 
 /// Layers that have parts of one outline are read together: an end of a line in one of them meets a line of another
-/// one. Then all layers are, so that contours of one are holes in what another one encloses; but layers that cross each
-/// other are different bodies, and read apart.
+/// one. Then all layers are, so that contours of one are holes in what another one encloses. But layers that cross each
+/// other, or share a part of a line, each close by themselves: they are different bodies, and read apart.
 LayerPlan plan_layers(const std::vector<LineLayer>& layers, const OutlineSettings& settings);
 
-/// Lines of the common set that lie in material of one of the layers that cross are holes in it: they are read with it,
+/// Lines of the common set that lie in material of one of the layers read apart are holes in it: they are read with it,
 /// as layers of their own at the end of `layers`. Those in material of several stay where they are.
 void adopt_holes(std::vector<LineLayer>& layers, LayerPlan& plan, const OutlineSettings& settings);
 

@@ -19,9 +19,63 @@ std::string counted_text(std::size_t n, const char* one, const char* many) {
   return fmt::format("{} {}", n, n == 1 ? one : many);
 }
 
-/// Do all vertices of the ring lie within the other one?
-bool lies_within(const Polygon& ring, const Polygon& outer) {
-  return std::all_of(ring.begin(), ring.end(), [&](const Point& p) { return roughly_inside(outer, p); });
+bool is_near(const Polygon& ring, const Point& p, double distance) {
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    if (distance_to_segment(p, ring[i], ring[(i + 1) % ring.size()]) <= distance) return true;
+  return false;
+}
+
+/// Do all vertices of the ring lie within the other one, or so near to it?
+bool lies_within(const Polygon& ring, const Polygon& outer, double distance) {
+  const SegmentBox around(box_of(outer));
+  const SegmentBox wide({around.lo_x, around.lo_y}, {around.hi_x, around.hi_y}, distance);
+  return wide.holds(box_of(ring)) && std::all_of(ring.begin(), ring.end(), [&](const Point& p) {
+           return roughly_inside(outer, p) || is_near(outer, p, distance);
+         });
+}
+
+/// A point inside of the part, as far as doubles show: the middle of the widest stretch of a horizontal line.
+Point inner_point(const Part& part) {
+  std::vector<double> heights;
+  for (const Point& p : part.outline) heights.push_back(p.y);
+  for (const Polygon& hole : part.holes)
+    for (const Point& p : hole) heights.push_back(p.y);
+  std::sort(heights.begin(), heights.end());
+  std::size_t highest = 1;
+  for (std::size_t i = 1; i < heights.size(); ++i)
+    if (heights[i] - heights[i - 1] > heights[highest] - heights[highest - 1]) highest = i;
+  const double y = (heights[highest - 1] + heights[highest]) / 2;
+  std::vector<double> at;
+  const auto cut = [&](const Polygon& ring) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Point &a = ring[i], &b = ring[(i + 1) % ring.size()];
+      if ((a.y > y) != (b.y > y)) at.push_back(a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x));
+    }
+  };
+  cut(part.outline);
+  for (const Polygon& hole : part.holes) cut(hole);
+  std::sort(at.begin(), at.end());
+  Point best = part.outline.front();
+  double width = 0;
+  for (std::size_t i = 0; i + 1 < at.size(); i += 2) {
+    if (at[i + 1] - at[i] <= width) continue;
+    width = at[i + 1] - at[i];
+    best = {at[i] + width / 2, y};
+  }
+  return best;
+}
+
+/// Of any closed chain, or chain that is not one straight line.
+double least_extent(const std::vector<Chain>& chains) {
+  double least = INFINITY;
+  for (const Chain& chain : chains)
+    if (chain.points.size() > 2) least = std::min(least, box_of(chain.points).extent());
+  return least;
+}
+
+/// A distance that is not small beside everything that is drawn would join what does not belong together.
+std::string join_hint(double join, double least) {
+  return join < least / 4 ? fmt::format(", or with --join {:.3g}", join) : "";
 }
 
 }  // namespace
@@ -66,21 +120,16 @@ void BodyMaker::read_lines(Drawing& drawing) {
     take_report(outlines, chains, layers);
     if (plan.sets[s].size() > 1) note_holes(outlines, layers);
     for (std::size_t i = 0; i < outlines.regions.size(); ++i) {
-      const std::size_t source = outlines.sources[i];
-      pieces.push_back({std::move(outlines.regions[i]), layer_of[source], s, chains[source].place,
+      std::map<std::pair<std::string, std::size_t>, double> shares;
+      for (const auto& [chain, length] : outlines.lengths[i]) shares[{layers[chain], layer_of[chain]}] += length;
+      const auto most = std::max_element(shares.begin(), shares.end(),
+                                         [](const auto& a, const auto& b) { return a.second < b.second; });
+      pieces.push_back({std::move(outlines.regions[i]), most->first.second, s, chains[outlines.sources[i]].place,
                         lines[plan.sets[s].front()].name});
     }
   }
-  if (!plan.crossings.empty()) {
-    const LayerCrossing& crossing = plan.crossings.front();
-    const auto name = [&](std::size_t set) {
-      return io::excerpt(drawing.layers[lines[plan.sets[set].front()].layer].name);
-    };
-    file_.notes.push_back(fmt::format("layers {} and {} cross near {}: layers that cross are different bodies{}",
-                                      name(crossing.first), name(crossing.second), point_text(crossing.at),
-                                      plan.crossings.size() > 1 ? ", and others do" : ""));
-    require_clear_nesting(drawing, pieces);
-  }
+  note_conflicts(drawing, lines, plan);
+  if (!plan.conflicts.empty()) require_clear_nesting(drawing, pieces);
   // The larger ones first: the outermost outline around a piece is known before the piece.
   std::stable_sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) {
     return doubled_area(a.region.part.outline) > doubled_area(b.region.part.outline);
@@ -123,21 +172,45 @@ void BodyMaker::note_coarse_join(const std::vector<LineLayer>& lines) {
   coarse_join_ = true;
 }
 
+void BodyMaker::note_conflicts(const Drawing& drawing, const std::vector<LineLayer>& lines, const LayerPlan& plan) {
+  const auto name = [&](std::size_t set) {
+    return io::excerpt(drawing.layers[lines[plan.sets[set].front()].layer].name);
+  };
+  for (const bool along : {false, true}) {
+    std::size_t count = 0;
+    const LayerConflict* first = nullptr;
+    for (const LayerConflict& conflict : plan.conflicts)
+      if (conflict.along == along && count++ == 0) first = &conflict;
+    if (!first) continue;
+    const std::string others =
+        count > 1 ? fmt::format(", and {} do", counted_text(count - 1, "other pair", "other pairs")) : "";
+    file_.notes.push_back(
+        along ? fmt::format("layers {} and {} share a part of a line near {}{}: each layer is read by itself "
+                            "(--merge-layers reads them as one)",
+                            name(first->first), name(first->second), point_text(first->at), others)
+              : fmt::format("layers {} and {} cross near {}{}: layers that cross are different bodies",
+                            name(first->first), name(first->second), point_text(first->at), others));
+  }
+}
+
 /// A piece within material of a layer that is read apart could be a hole in it, or a body on it.
 void BodyMaker::require_clear_nesting(const Drawing& drawing, const std::vector<Piece>& pieces) {
   for (const Piece& inner : pieces) {
     const Polygon& ring = inner.region.part.outline;
     for (const Piece& outer : pieces) {
-      if (inner.set == outer.set || !box_of(outer.region.part.outline).holds(box_of(ring))) continue;
-      const auto& holes = outer.region.part.holes;
-      const bool in_hole = std::any_of(holes.begin(), holes.end(),
-                                       [&](const Polygon& hole) { return roughly_inside(hole, ring.front()); });
-      if (in_hole || !lies_within(ring, outer.region.part.outline)) continue;
+      if (inner.set == outer.set || !lies_within(ring, outer.region.part.outline, file_.fineness.join)) continue;
+      if (!roughly_inside(outer.region.part, inner_point(inner.region.part))) continue;
+      const auto area = [](const Piece& piece) {
+        double twice = doubled_area(piece.region.part.outline);
+        for (const Polygon& hole : piece.region.part.holes) twice -= std::fabs(doubled_area(hole));
+        return twice / 2;
+      };
       return fail(
           inner.place,
-          fmt::format("the layer \"{}\" has an outline within layer \"{}\", and one of the two crosses another "
-                      "layer: is it a hole or a body?",
-                      io::excerpt(drawing.layers[inner.layer].name), io::excerpt(drawing.layers[outer.layer].name)),
+          fmt::format("the layer \"{}\" has an outline (area {:.6g}) within layer \"{}\" (area {:.6g}), and one of the "
+                      "two crosses another layer or shares a line with it: is it a hole or a body?",
+                      io::excerpt(drawing.layers[inner.layer].name), area(inner),
+                      io::excerpt(drawing.layers[outer.layer].name), area(outer)),
           "say --by layer, if each layer is a body, or --merge-layers, if all of them are lines to cut");
     }
   }
@@ -182,9 +255,8 @@ void BodyMaker::take_report(const Outlines& outlines, const std::vector<Chain>& 
                      closure.gaps.size() > 1
                          ? fmt::format(", and {} more", counted_text(closure.gaps.size() - 1, "gap", "gaps"))
                          : ""),
-         fmt::format("close it with --join {:.3g}, or by straight lines with --open close, or leave it out with --open "
-                     "skip",
-                     width * 1.01));
+         fmt::format("close it by straight lines with --open close{}, or leave it out with --open skip",
+                     join_hint(width * 1.01, least_extent(chains))));
   }
 }
 

@@ -189,11 +189,17 @@ std::vector<Closure> find_closures(std::vector<OpenLine>& lines) {
   return closures;
 }
 
+double distance_to_segment(const Point& p, const Point& a, const Point& b) {
+  const double x = b.x - a.x, y = b.y - a.y, length = x * x + y * y;
+  const double along = length > 0 ? std::clamp(((p.x - a.x) * x + (p.y - a.y) * y) / length, 0.0, 1.0) : 0;
+  return std::hypot(p.x - a.x - along * x, p.y - a.y - along * y);
+}
+
 bool roughly_inside(const Polygon& ring, const Point& p) {
   bool inside = false;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Point &a = ring[i], &b = ring[(i + 1) % ring.size()];
-    if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
+    if (is_left_of(p, a, b)) inside = !inside;
   }
   return inside;
 }

@@ -37,6 +37,12 @@ std::vector<OpenLine> open_lines(const LineGraph& graph, const std::vector<bool>
 /// Pairs free ends, nearest first, and finds the rings that come of it. Fills in the nearest ends.
 std::vector<Closure> find_closures(std::vector<OpenLine>& lines);
 
+/// Rounded.
+double distance_to_segment(const Point& p, const Point& a, const Point& b);
+/// Does the ray from p to the right cross the segment? In doubles.
+inline bool is_left_of(const Point& p, const Point& a, const Point& b) {
+  return (a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x);
+}
 /// Is p inside of a ring that may cross itself, by the even-odd rule? In doubles: near the ring it may err.
 bool roughly_inside(const Polygon& ring, const Point& p);
 /// Is p in the part, and in none of its holes?

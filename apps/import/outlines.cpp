@@ -20,7 +20,8 @@ namespace {
 /// Moved ends may come near to others: rarely more than twice.
 constexpr int most_joinings = 12;
 /// An open ring whose gaps are no longer than this part of its lines is taken for one that was meant to be closed, if
-/// no other ends are nearly as near; one that encloses closed contours, if they are no longer than half of its lines.
+/// no other ends are nearly as near; one that encloses closed contours, if they are no longer than half of its lines,
+/// or no longer than its lines where it does not lie in material.
 constexpr double small_gap = 0.1, large_gap = 0.5, clear_gap = 2;
 
 std::vector<Strand> strands_of(const std::vector<Chain>& chains) {
@@ -152,11 +153,25 @@ class OutlineMaker {
       const double around = closure.line_length + closure.gap_length;
       if (std::fabs(doubled_area(closure.ring)) <= settings_.join * around) continue;
       const bool clear = closure.gap_length <= small_gap * closure.line_length && closure.clearness >= clear_gap;
-      const bool meant =
-          clear || (closure.gap_length <= large_gap * closure.line_length && holds_any(closure.ring, enclosed));
+      const bool meant = clear || (closure.gap_length <= closure.line_length && holds_any(closure.ring, enclosed) &&
+                                   (closure.gap_length <= large_gap * closure.line_length || !in_material(closure)));
       if (meant || (settings_.close && closure.gap_length <= closure.line_length))
         out_.suspicious.push_back(std::move(closure));
     }
+  }
+
+  /// Does one of the lines begin within a closed contour? In doubles, by the even-odd rule.
+  bool in_material(const Closure& closure) const {
+    return std::any_of(closure.lines.begin(), closure.lines.end(), [this](std::size_t k) {
+      const Point& p = out_.open[k].points.front();
+      bool inside = false;
+      for (std::size_t e = 0; e < alive_.size(); ++e) {
+        if (!alive_[e]) continue;
+        const Point &a = graph_.point(graph_.edges[e].from), &b = graph_.point(graph_.edges[e].to);
+        if (is_left_of(p, a, b)) inside = !inside;
+      }
+      return inside;
+    });
   }
 
   static bool holds_any(const Polygon& ring, const std::vector<Point>& points) {
@@ -206,6 +221,7 @@ class OutlineMaker {
       out_.sources.push_back(std::max_element(lengths.begin(), lengths.end(), [](const auto& a, const auto& b) {
                                return a.second < b.second;
                              })->first);
+      out_.lengths.push_back(std::move(lengths));
       out_.hole_sources.emplace_back();
       for (const int e : region.holes)
         out_.hole_sources.back().push_back(graph_.edges[static_cast<std::size_t>(e)].source);

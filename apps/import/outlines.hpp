@@ -1,6 +1,7 @@
 // From the lines and shapes of a drawing to pieces of material.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,9 @@ namespace taut::drawing {
 /// What became of some chains. Sources are their indices.
 struct Outlines {
   std::vector<Region> regions;
-  std::vector<std::size_t> sources;                    ///< of each region: the chain that its outline is mostly made of
+  std::vector<std::size_t> sources;  ///< of each region: the chain that its outline is mostly made of
+  std::vector<std::map<std::size_t, double>>
+      lengths;  ///< of each region: how long each chain's share of its outline is
   std::vector<std::vector<std::size_t>> hole_sources;  ///< of each region: a chain of each of its holes
   std::vector<Gap> gaps;
   std::vector<OpenLine> open;

@@ -1,6 +1,8 @@
 // Drawings as text, for tests of the import.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <string>
 #include <vector>
@@ -81,6 +83,15 @@ inline Totals totals_of(const drawing::Import& import) {
     ++totals.bodies;
   }
   return totals;
+}
+
+inline void expect_totals(const drawing::Import& import, double area, std::size_t parts, std::size_t holes,
+                          double within = 1e-9) {
+  const Totals totals = totals_of(import);
+  EXPECT_TRUE(import.faults.empty()) << import.faults.front().what();
+  EXPECT_NEAR(totals.area, area, within) << drawing::report_text(import, {});
+  EXPECT_EQ(totals.parts, parts) << drawing::report_text(import, {});
+  EXPECT_EQ(totals.holes, holes) << drawing::report_text(import, {});
 }
 
 }  // namespace taut::testing

@@ -17,15 +17,8 @@ using drawing::Import;
 using drawing::ImportSettings;
 using testing::DxfText;
 using testing::examine;
+using testing::expect_totals;
 using testing::totals_of;
-
-void expect_totals(const Import& import, double area, std::size_t parts, std::size_t holes, double within = 1e-9) {
-  const testing::Totals totals = totals_of(import);
-  EXPECT_TRUE(import.faults.empty()) << import.faults.front().what();
-  EXPECT_NEAR(totals.area, area, within) << drawing::report_text(import, {});
-  EXPECT_EQ(totals.parts, parts) << drawing::report_text(import, {});
-  EXPECT_EQ(totals.holes, holes) << drawing::report_text(import, {});
-}
 
 /// Inputs that were reported, with the areas that are right.
 TEST(ImportPlanar, ReadsWhatWasReported) {
@@ -205,57 +198,6 @@ TEST(ImportPlanar, CutsOffLoopsAndOvershoots) {
   EXPECT_TRUE(trimmed.files[0].open.empty());
 }
 
-DxfText broken_outline() {
-  DxfText broken;
-  broken.line({0, 0}, {20, 0})
-      .line({20, 0}, {20, 20})
-      .line({20, 20}, {0.5, 20})
-      .line({0, 20}, {0, 0})
-      .circle({10, 10}, 4);
-  return broken;
-}
-
-TEST(ImportPlanar, RefusesAnOutlineThatStaysOpen) {
-  const Import import = examine(broken_outline());
-  ASSERT_EQ(import.faults.size(), 1u);
-  EXPECT_NE(import.faults[0].problem().find("a gap of 0.5 from (0"), std::string::npos) << import.faults[0].what();
-  EXPECT_NE(import.faults[0].hint().find("--join 0.505"), std::string::npos) << import.faults[0].what();
-  ASSERT_EQ(import.files[0].open.size(), 1u);
-  EXPECT_EQ(import.files[0].open[0].points.size(), 5u);
-  EXPECT_NEAR(import.files[0].open[0].gap_start, 0.5, 1e-12);
-  EXPECT_NE(drawing::report_svg(import).find("#d62828"), std::string::npos);
-  ImportSettings settings;
-  settings.join = 0.51;
-  expect_totals(examine(broken_outline(), settings), 400 - 16 * 3.14159265, 1, 1, 5.5);
-  settings = {};
-  settings.open = drawing::OpenRings::close;
-  const Import closed = examine(broken_outline(), settings);
-  expect_totals(closed, 400 - 16 * 3.14159265, 1, 1, 0.4);
-  EXPECT_EQ(closed.files[0].closed.size(), 1u);
-  settings.open = drawing::OpenRings::skip;
-  expect_totals(examine(broken_outline(), settings), 16 * 3.14159265, 1, 0, 0.4);
-}
-
-TEST(ImportPlanar, SeesThatFourLinesWithGapsWereAnOutline) {
-  DxfText corners;
-  corners.line({0.3, 0}, {19.7, 0}).line({20, 0.3}, {20, 19.7}).line({19.7, 20}, {0.3, 20}).line({0, 19.7}, {0, 0.3});
-  corners.circle({10, 10}, 4).line({100, 0}, {120, 7});
-  const Import import = examine(corners);
-  ASSERT_EQ(import.faults.size(), 1u);
-  EXPECT_NE(import.faults[0].problem().find("and 3 gaps more"), std::string::npos) << import.faults[0].what();
-  EXPECT_EQ(import.files[0].open.size(), 5u);
-}
-
-TEST(ImportPlanar, LeavesOutOpenLinesThatEncloseNothing) {
-  DxfText marks;
-  marks.box({0, 0}, {20, 20}).line({3, 3}, {3, 9}).line({4, 17}, {4, 9}).arc({16, 10}, 2, 30, 270);
-  // A hinge: many cuts, whose ends are as near to each other as to others.
-  for (int k = 0; k < 6; ++k) marks.line({6.0 + k, 0}, {6.0 + k, 8}).line({6.0 + k, 9}, {6.0 + k, 20});
-  const Import import = examine(marks);
-  expect_totals(import, 400, 1, 0);
-  EXPECT_EQ(import.files[0].open.size(), 15u);
-}
-
 TEST(ImportPlanar, DoesNotDependOnTheOrderOfLines) {
   std::vector<std::pair<Point, Point>> lines{{{0, 0}, {20, 0}},    {{20, 0}, {20, 20}}, {{20, 20}, {0, 20}},
                                              {{0, 20}, {0, 0.01}}, {{20, 0}, {40, 0}},  {{40, 0}, {40, 20}},
@@ -282,100 +224,6 @@ TEST(ImportPlanar, DoesNotDependOnTheOrderOfLines) {
     if (first.empty()) first = scene.str();
     EXPECT_EQ(scene.str(), first) << seed;
   }
-}
-
-TEST(ImportPlanar, TakesContoursOnOtherLayersForHoles) {
-  DxfText layers;
-  layers.box({0, 0}, {20, 20}, "outer")
-      .circle({5, 5}, 2, "inner")
-      .circle({15, 5}, 2, "inner")
-      .box({30, 0}, {40, 10}, "inner");
-  const double holes = 8 * 3.14159265;
-  const Import import = examine(layers);
-  expect_totals(import, 500 - holes, 2, 2, 0.2);
-  EXPECT_EQ(import.bodies.size(), 2u);
-  ASSERT_EQ(import.files[0].notes.size(), 1u);
-  EXPECT_NE(import.files[0].notes[0].find("layer inner: 2 contours are holes"), std::string::npos);
-  ImportSettings settings;
-  settings.by = drawing::Grouping::layer;
-  expect_totals(examine(layers, settings), 500 + holes, 4, 0, 0.2);
-  settings.by = drawing::Grouping::nesting;
-  const Import nested = examine(layers, settings);
-  expect_totals(nested, 500 - holes, 2, 2, 0.2);
-  EXPECT_EQ(nested.bodies.size(), 2u);
-  settings = {};
-  settings.merge_all = true;
-  const Import merged = examine(layers, settings);
-  expect_totals(merged, 500 - holes, 2, 2, 0.2);
-  EXPECT_EQ(merged.bodies.size(), 1u);
-  settings = {};
-  settings.layers = {"inner"};
-  expect_totals(examine(layers, settings), 100 + holes, 3, 0, 0.2);
-  settings.layers = {"iner"};
-  EXPECT_THROW(examine(layers, settings), InputError);
-}
-
-TEST(ImportPlanar, JoinsAnOutlineWhosePiecesAreOnDifferentLayers) {
-  DxfText spread;
-  spread.line({0, 0}, {20, 0}, "a")
-      .line({20, 0}, {20, 20}, "b")
-      .line({20, 20}, {0, 20}, "a")
-      .line({0, 20}, {0, 0}, "c");
-  spread.circle({10, 10}, 4, "d");
-  expect_totals(examine(spread), 400 - 16 * 3.14159265, 1, 1, 0.3);
-}
-
-TEST(ImportPlanar, KeepsLayersThatCrossApart) {
-  DxfText crossing;
-  crossing.box({0, 0}, {20, 20}, "base").box({15, 5}, {30, 10}, "arm");
-  const Import import = examine(crossing);
-  expect_totals(import, 475, 2, 0);
-  EXPECT_EQ(import.bodies.size(), 2u);
-  crossing.box({4, 4}, {8, 8}, "pin").box({5, 5}, {6, 6}, "pin");
-  // A hole in the base, as it would be if nothing crossed, and an island in it; and a body beside them.
-  crossing.box({40, 0}, {42, 2}, "pin");
-  const Import with_hole = examine(crossing);
-  expect_totals(with_hole, 475 - 16 + 1 + 4, 4, 1);
-  EXPECT_EQ(with_hole.files[0].notes.size(), 2u);
-  ImportSettings settings;
-  settings.by = drawing::Grouping::layer;
-  expect_totals(examine(crossing, settings), 475 + 16 - 1 + 4, 4, 1);
-}
-
-TEST(ImportPlanar, RefusesAContourInMaterialOfTwoLayersThatCross) {
-  for (const bool within_both : {true, false}) {
-    DxfText unclear;
-    unclear.box({0, 0}, {20, 20}, "base").box({15, 5}, {30, 10}, "arm");
-    // In both of them, or around them.
-    if (within_both)
-      unclear.box({16, 6}, {18, 8}, "pin");
-    else
-      unclear.box({-10, -10}, {40, 40}, "frame");
-    const Import import = examine(unclear);
-    ASSERT_EQ(import.faults.size(), 1u);
-    EXPECT_NE(import.faults[0].hint().find("--by layer"), std::string::npos);
-  }
-}
-
-TEST(ImportPlanar, GroupsByColor) {
-  DxfText colors;
-  for (const int color : {1, 3, 1}) {
-    const double x = 10.0 * color + (color == 1 ? 0 : 7);
-    colors.begin("CIRCLE", "0").group(62, std::to_string(color)).at(10, {x, 0}).group(40, "2");
-  }
-  ImportSettings settings;
-  settings.by = drawing::Grouping::color;
-  const Import import = examine(colors, settings);
-  ASSERT_EQ(import.bodies.size(), 2u);
-  EXPECT_EQ(import.bodies[0].name, "color 1");
-  EXPECT_EQ(import.bodies[1].name, "color 3");
-  const std::string svg =
-      "<svg><g fill='none'><rect width='9' height='9' stroke='red'/><rect x='20' width='9' height='9' "
-      "style='stroke:#00f'/><rect x='2' y='2' width='2' height='2' stroke='red'/></g></svg>";
-  const Import by_stroke = examine(svg, "d.svg", settings);
-  ASSERT_EQ(by_stroke.bodies.size(), 2u);
-  EXPECT_EQ(by_stroke.bodies[0].name, "red");
-  EXPECT_EQ(by_stroke.bodies[0].area, 77);
 }
 
 TEST(ImportPlanar, ListsWhatIsNotReadAndGoesOn) {
