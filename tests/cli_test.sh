@@ -177,7 +177,7 @@ expect 0 '"parts":1,"holes":1' '' import drilled.kicad_pcb --drills 2 --json -o 
 expect 0 '"parts":1,"holes":2' '' import drilled.kicad_pcb --drills 0 --json -o drilled.json
 expect 2 '' '--drills: -1 is not a sensible number' import drilled.kicad_pcb --drills -1
 echo '<svg width="20mm" viewBox="0 0 20 20"><rect width="9" height="9" fill="none"/></svg>' >unseen.svg
-expect 2 '' 'hint: give the shapes a stroke' import unseen.svg
+expect 0 '' 'its one shape is read as outlines' import unseen.svg -o unseen.json
 echo '<svg height="20MM" viewBox="0 0 10 10"><style>g>.a{fill:none} .a:nth-child(1){stroke:red}</style><g><rect class="a" width="4" height="4"/></g></svg>' >rules.svg
 expect 2 '' 'rules.svg:1:[0-9]+: the rule ".a:nth-child\(1\)" has ":nth-child\(1\)", which is not read' import rules.svg
 expect 2 '' 'hint: style the elements by their classes or ids, or leave it as it is with --open skip' import rules.svg

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/progress.hpp"
+#include "import/body_text.hpp"
 #include "import/dxf_entities.hpp"
 #include "import/dxf_hatch.hpp"
 #include "import/text_encoding.hpp"
@@ -271,13 +272,27 @@ class DxfReader {
     return solids.count(type) ? "is data of a solid modeller: explode it into lines" : "is no line or curve";
   }
 
-  /// Fillings repeat what lines draw; by themselves they are shapes.
+  /// Fillings repeat what lines draw. By themselves, or apart from all lines of their layer, they are shapes.
   void add_fillings() {
-    std::set<std::string> drawn;
-    for (const Layer& layer : drawing_.layers) drawn.insert(layer.name);
+    std::map<std::string, SegmentBox> drawn;
+    for (const Layer& layer : drawing_.layers) {
+      for (const Sheet& sheet : layer.sheets) {
+        for (const Chain& chain : sheet.chains) {
+          const SegmentBox box = box_of(chain.points);
+          const auto [known, fresh] = drawn.emplace(layer.name, box);
+          if (!fresh) known->second.include(box);
+        }
+      }
+    }
+    const auto repeats_lines = [&drawn](const Filling& filling) {
+      const auto lines = drawn.find(filling.group);
+      return lines != drawn.end() && std::any_of(filling.chains.begin(), filling.chains.end(), [&](const Chain& chain) {
+               return !chain.points.empty() && lines->second.meets(box_of(chain.points));
+             });
+    };
     for (Filling& filling : fillings_) {
       const DxfItem& item = *filling.item;
-      if (item.type() != "MPOLYGON" && drawn.count(filling.group)) {
+      if (item.type() != "MPOLYGON" && repeats_lines(filling)) {
         std::vector<LostShape> shapes;
         for (Chain& chain : filling.chains) shapes.push_back({item.place(), std::move(chain.points), true});
         drawing_.skip(skipped(item, filling.layer, "is a filling on a layer that has lines: these count", false,

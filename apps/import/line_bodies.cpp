@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 #include "import/bodies.hpp"
@@ -130,6 +131,7 @@ void BodyMaker::read_lines(Drawing& drawing) {
   }
   note_conflicts(drawing, lines, plan);
   if (!plan.conflicts.empty()) require_clear_nesting(drawing, pieces);
+  note_border(drawing, pieces);
   // The larger ones first: the outermost outline around a piece is known before the piece.
   std::stable_sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) {
     return doubled_area(a.region.part.outline) > doubled_area(b.region.part.outline);
@@ -191,6 +193,28 @@ void BodyMaker::note_conflicts(const Drawing& drawing, const std::vector<LineLay
               : fmt::format("layers {} and {} cross near {}{}: layers that cross are different bodies",
                             name(first->first), name(first->second), point_text(first->at), others));
   }
+}
+
+/// A sheet's border makes holes of what is drawn on it, and bodies of their holes.
+void BodyMaker::note_border(const Drawing& drawing, const std::vector<Piece>& pieces) {
+  if (pieces.empty() || settings_.by == Grouping::nesting) return;
+  const Piece& largest = *std::max_element(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) {
+    return doubled_area(a.region.part.outline) < doubled_area(b.region.part.outline);
+  });
+  const Polygon& outline = largest.region.part.outline;
+  std::set<std::string> others;
+  for (const Piece& piece : pieces) {
+    if (&piece == &largest) continue;
+    if (piece.layer == largest.layer || !box_of(outline).holds(box_of(piece.region.part.outline))) return;
+    others.insert(drawing.layers[piece.layer].name);
+  }
+  if (outline.size() != 4 || others.empty() || largest.region.part.holes.empty()) return;
+  std::string names;
+  for (const std::string& name : others) names += " --layer \"" + io::excerpt(name) + "\"";
+  file_.notes.push_back(
+      fmt::format("layer {} is one quadrilateral around all others: if it is the border of a sheet, leave "
+                  "it out with{}",
+                  io::excerpt(drawing.layers[largest.layer].name), names));
 }
 
 /// A piece within material of a layer that is read apart could be a hole in it, or a body on it.

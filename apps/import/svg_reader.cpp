@@ -1,10 +1,14 @@
 #include "import/svg_reader.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <set>
+#include <sstream>
 
+#include "import/svg_clip.hpp"
 #include "import/svg_shapes.hpp"
 #include "import/svg_styles.hpp"
 #include "import/svg_viewport.hpp"
@@ -24,10 +28,23 @@ bool is_see_through(const std::string& fill) {
   if (fill.starts_with('#')) {
     return (fill.size() == 5 && fill.back() == '0') || (fill.size() == 9 && fill.ends_with("00"));
   }
-  if (!fill.starts_with("rgba(") && !fill.starts_with("hsla(")) return false;
-  const std::string alpha = fill.substr(fill.find_last_of(",/") + 1);
+  // "rgba(0, 0, 0, 0)", or "rgb(0 0 0 / 0%)", and so for other functions: the fourth value, or what is behind a slash.
+  const std::size_t open = fill.find('('), slash = fill.find('/');
+  if (open == std::string::npos || fill.starts_with("url(")) return false;
+  if (slash == std::string::npos && std::count(fill.begin(), fill.end(), ',') != 3) return false;
+  const std::string alpha = fill.substr(slash == std::string::npos ? fill.rfind(',') + 1 : slash + 1);
   return !alpha.empty() && alpha.find_first_not_of(" 0.%)") == std::string::npos &&
          alpha.find('0') != std::string::npos;
+}
+
+/// Are all numbers of a `transform-origin` 0? So they are if there are none.
+bool is_origin(const std::string& text) {
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    const auto length = parse_length(word);
+    if (!length || length->value != 0) return false;
+  }
+  return true;
 }
 
 constexpr int deepest_clone = 16;
@@ -36,39 +53,12 @@ constexpr std::size_t most_cloned = 1000000;
 constexpr int no_layer = 1000000000;
 const char* const percent_reason = "has a length in percent of the page, whose size is not known";
 
-/// A drawing in the drawing, or a symbol: what reaches beyond it is not seen.
-struct Frame {
-  Affine where;  ///< from the unit square
-  std::string place;
-};
-
-/// How far a shape reaches beyond a frame.
-enum class Beyond { nothing, part, all };
-
-Beyond beyond_frame(const std::vector<Chain>& chains, const Frame& frame) {
-  const Affine& f = frame.where;
-  const double area = f.a * f.d - f.b * f.c;
-  double lo_x = INFINITY, lo_y = INFINITY, hi_x = -INFINITY, hi_y = -INFINITY;
-  for (const Chain& chain : chains) {
-    for (const Point& p : chain.points) {
-      const double x = p.x - f.e, y = p.y - f.f;
-      const double u = (x * f.d - y * f.c) / area, v = (y * f.a - x * f.b) / area;
-      lo_x = std::min(lo_x, u);
-      hi_x = std::max(hi_x, u);
-      lo_y = std::min(lo_y, v);
-      hi_y = std::max(hi_y, v);
-    }
-  }
-  constexpr double rounding = 1e-6;
-  if (lo_x >= -rounding && lo_y >= -rounding && hi_x <= 1 + rounding && hi_y <= 1 + rounding) return Beyond::nothing;
-  return hi_x <= 0 || hi_y <= 0 || lo_x >= 1 || lo_y >= 1 ? Beyond::all : Beyond::part;
-}
-
 /// What an element hands down to those inside it.
 struct Surroundings {
   Affine where;
   Viewport viewport;
   std::vector<Frame> frames;
+  bool nested = false;  ///< in a drawing in the drawing, or a symbol
   bool filled = true, displayed = true, hidden = false;
   bool stroked = false, clear_filling = false, clear_line = false, no_width = false;
   std::string color;  ///< of the line, or else of the filling
@@ -79,8 +69,14 @@ struct Surroundings {
 
 class SvgReader {
  public:
-  SvgReader(const XmlTree& xml, const std::string& file, const ImportSettings& settings, double tolerance)
-      : xml_(xml), settings_(settings), flattener_(settings, tolerance, file), styles_(xml) {
+  /// `unpainted`: shapes with neither a fill nor a stroke are outlines.
+  SvgReader(const XmlTree& xml, const std::string& file, const ImportSettings& settings, double tolerance,
+            bool unpainted)
+      : xml_(xml),
+        settings_(settings),
+        flattener_(settings, tolerance, file),
+        styles_(xml),
+        reads_unpainted_(unpainted) {
     drawing_.file = file;
     drawing_.format = "SVG";
   }
@@ -102,8 +98,10 @@ class SvgReader {
       open(node);
     }
     tell_what_is_not_drawn();
-    if (unpainted_ > 0 && drawing_.diagonal() == 0)
-      drawing_.remedy = "give the shapes a stroke, as stroke=\"black\", or a fill";
+    if (unpainted_ > 0 && reads_unpainted_)
+      drawing_.notes.push_back(
+          fmt::format("nothing in the file has a fill or a stroke: its {} read as outlines",
+                      unpainted_ == 1 ? "one shape is" : std::to_string(unpainted_) + " shapes are"));
     drawing_.curves = flattener_.counts();
     drawing_.kept = flattener_.take_kept();
     return std::move(drawing_);
@@ -216,8 +214,10 @@ class SvgReader {
       return drawing_.skip(element.place, "<" + element.name + ">", "has no extent");
     s.where = s.where * translation(x, y);
     const std::string overflow = styles_.style_of(node).word("overflow");
+    s.nested = true;
     if (known && overflow != "visible" && overflow != "auto")
-      s.frames.push_back({s.where * scaling(viewport.width, viewport.height), element.place});
+      s.frames.push_back(
+          {s.where * scaling(viewport.width, viewport.height), element.place, "give the frame overflow=\"visible\""});
     if (box) s.where = s.where * fitted(*box, viewport, element);
     s.viewport = box ? Viewport{box->width, box->height} : viewport;
     open_.push_back({node + 1, xml_.end(node), std::move(s)});
@@ -248,7 +248,9 @@ class SvgReader {
     if (!visibility.empty()) s.hidden = visibility != "visible";
     // All within it goes with it.
     if (style.word("display") == "none" || style.is_zero("opacity")) s.displayed = false;
-    tell_what_is_not_obeyed(element);
+    // The page's own size is read elsewhere.
+    if (node > 0) tell_what_is_not_read(element, style);
+    clip(element, style, s);
     if (s.layer < 0) {
       s.layer = static_cast<int>(drawing_.layers.size());
       const std::string name = name_of(element, group);
@@ -269,16 +271,37 @@ class SvgReader {
     if (!style.word("stroke-width").empty()) s.no_width = style.is_zero("stroke-width");
   }
 
-  void tell_what_is_not_obeyed(const XmlElement& element) {
-    for (const char* cut : {"clip-path", "mask"}) {
-      const std::string* value = element.find(cut);
-      if (value && *value != "none")
-        drawing_.skip(
-            {element.place, "\"" + std::string(cut) + "\"", "is not obeyed: the whole of it is taken", "", "", true});
-    }
-    const std::string property = unread_in_style(element);
+  void tell_what_is_not_read(const XmlElement& element, const ElementStyle& style) {
+    const std::string property = style.unread(element);
     if (!property.empty())
-      drawing_.skip(lost_style(element.place, "\"" + property + "\" in a style", "is not read", "use the attribute"));
+      drawing_.skip(lost_style(element.place, "\"" + io::excerpt(property, 40) + "\" in a style", "is not read",
+                               "use an attribute, with a plain value"));
+    if (!is_origin(style.text("transform-origin"))) {
+      const Affine own = parse_transform(element);
+      if (own.a != 1 || own.b != 0 || own.c != 0 || own.d != 1)
+        drawing_.skip(lost_style(element.place, "\"transform-origin\"", "is not read",
+                                 "write the transform as a matrix, or apply it to the shapes"));
+    }
+  }
+
+  /// What is clipped by a rectangle is in a frame. Other clips and masks are not obeyed.
+  void clip(const XmlElement& element, const ElementStyle& style, Surroundings& s) {
+    for (const char* cut : {"clip-path", "mask"}) {
+      const std::string value = style.text(cut);
+      if (value.empty() || style.word(cut) == "none") continue;
+      const std::string name = "\"" + std::string(cut) + "\"", id = id_in_url(value);
+      const auto target = id.empty() ? std::nullopt : xml_.by_id(id);
+      if (!id.empty() && !target) {
+        drawing_.skip({element.place, name, "refers to what is not in the file", "", "", true});
+        continue;
+      }
+      const std::vector<Frame> frames =
+          target ? clipping_frames(*target, xml_, styles_, s.where, s.viewport) : std::vector<Frame>();
+      s.frames.insert(s.frames.end(), frames.begin(), frames.end());
+      if (frames.empty())
+        drawing_.skip(lost_style(element.place, name, "cuts by something else than one rectangle, and is not obeyed",
+                                 "cut the shapes in the program that drew them, or remove the clip"));
+    }
   }
 
   static std::string name_of(const XmlElement& element, bool group) {
@@ -300,7 +323,8 @@ class SvgReader {
     const bool filled = s.filled && !s.clear_filling && element.name != "line";
     if (!filled && (!s.stroked || s.clear_line || s.no_width)) {
       ++unpainted_;
-      return drawing_.skip(element.place, what, "has neither a fill nor a stroke: it is not visible");
+      if (!reads_unpainted_)
+        return drawing_.skip(element.place, what, "has neither a fill nor a stroke: it is not visible");
     }
     if (is_background(element, s, filled)) return unread(element, "is as large as the page: its background");
     if (has_unknown_size(element, s.viewport)) return lose(element, percent_reason);
@@ -323,8 +347,7 @@ class SvgReader {
   /// Of the page itself, not of a drawing in it. A frame around the page may be a line to cut.
   static bool is_background(const XmlElement& element, const Surroundings& s, bool filled) {
     const std::string *width = element.find("width"), *height = element.find("height");
-    return filled && s.frames.empty() && element.name == "rect" && width && height && *width == "100%" &&
-           *height == "100%";
+    return filled && !s.nested && element.name == "rect" && width && height && *width == "100%" && *height == "100%";
   }
 
   /// What is in part beyond a frame is an error, or its whole is taken.
@@ -345,7 +368,7 @@ class SvgReader {
                        true,
                        1,
                        {{element.place, chains.front().points}},
-                       "cut it off there, or give the frame overflow=\"visible\""});
+                       "cut it off there, or " + frame.remedy});
       }
     }
     return false;
@@ -379,13 +402,24 @@ class SvgReader {
   std::vector<std::size_t> definitions_;
   std::set<std::size_t> drawn_definitions_;
   std::size_t cloned_ = 0, unpainted_ = 0;
+  bool reads_unpainted_;
 };
 
 }  // namespace
 
 Drawing read_svg(const std::string& text, const std::string& file, const ImportSettings& settings) {
   const XmlTree xml(text, file);
-  return with_fineness(settings, [&](double tolerance) { return SvgReader(xml, file, settings, tolerance).read(); });
+  // Files in which nothing is painted are meant as outlines.
+  const auto read = [&](bool unpainted) {
+    return with_fineness(settings,
+                         [&](double tolerance) { return SvgReader(xml, file, settings, tolerance, unpainted).read(); });
+  };
+  Drawing drawing = read(false);
+  if (drawing.diagonal() == 0) drawing = read(true);
+  if (text.find("<?xml-stylesheet") != std::string::npos)
+    drawing.skip(lost_style(file, "<?xml-stylesheet?>", "takes styles from another file, which is not read",
+                            "put the styles into the drawing"));
+  return drawing;
 }
 
 }  // namespace taut::drawing

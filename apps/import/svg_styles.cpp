@@ -17,16 +17,28 @@ namespace {
 constexpr std::size_t most_rules = 1000;
 
 const std::set<std::string>& read_properties() {
-  static const std::set<std::string> names{"fill",           "fill-rule", "fill-opacity", "stroke",     "stroke-width",
-                                           "stroke-opacity", "opacity",   "display",      "visibility", "overflow"};
+  static const std::set<std::string> names{
+      "fill",    "fill-rule",  "fill-opacity", "stroke",    "stroke-width", "stroke-opacity",  "opacity",
+      "display", "visibility", "overflow",     "clip-path", "mask",         "transform-origin"};
   return names;
 }
 
-/// By these a style would change where a shape is, or what is seen of it.
+/// By these a style would change where a shape is, or what is seen of it. They are not read.
 const std::set<std::string>& moving_properties() {
-  static const std::set<std::string> names{"transform", "clip-path", "mask", "d", "x",  "y", "width",
-                                           "height",    "cx",        "cy",   "r", "rx", "ry"};
+  static const std::set<std::string> names{"transform",    "translate",          "rotate",           "scale",
+                                           "zoom",         "offset-path",        "offset",           "mask-image",
+                                           "-webkit-mask", "-webkit-mask-image", "-webkit-clip-path"};
   return names;
+}
+
+/// The sizes of shapes: a style may have them in place of the attributes. They are not read, either.
+const std::set<std::string>& size_properties() {
+  static const std::set<std::string> names{"d", "x", "y", "width", "height", "cx", "cy", "r", "rx", "ry"};
+  return names;
+}
+
+bool matters(const std::string& property) {
+  return read_properties().count(property) || moving_properties().count(property) || size_properties().count(property);
 }
 
 /// Without comments, and without the marks by which XML and old browsers hide it.
@@ -125,14 +137,11 @@ bool ElementStyle::is_zero(const std::string& name) const {
   return length && length->value == 0;
 }
 
-StyleSheet::Values StyleSheet::read_declarations(const std::string& text, const XmlElement& style,
-                                                 Drawing& drawing) const {
+StyleSheet::Values StyleSheet::read_declarations(const std::string& text) {
   Values values;
   each_piece(text, ';', [&](const std::string& piece) {
     const auto [name, given] = declaration_of(piece);
-    if (moving_properties().count(name))
-      drawing.skip(lost_style(style.place, "\"" + name + "\" in a style sheet", "is not read", "use the attribute"));
-    if (!read_properties().count(name)) return;
+    if (!matters(name)) return;
     Value value;
     value.text = without_important(given, value.important);
     const auto there = values.find(name);
@@ -193,8 +202,11 @@ void StyleSheet::read_rules(const std::string& css, const XmlElement& style, Dra
     const std::string block = css.substr(open + 1, std::max(end, open + 2) - open - 2);
     if (at_rule)
       read_at_rule(head, block, style, drawing);
+    else if (block.find('{') != std::string::npos)
+      drawing.skip(lost_style(style.place, "the rule \"" + io::excerpt(head, 40) + "\"",
+                              "has rules within it, which are not read", "write them one after the other"));
     else
-      add(css.substr(i, open - i), read_declarations(block, style, drawing), style, drawing);
+      add(css.substr(i, open - i), read_declarations(block), style, drawing);
     i = end;
   }
 }
@@ -207,6 +219,10 @@ void StyleSheet::read_at_rule(const std::string& head, const std::string& block,
   static const std::set<std::string> idle{"@font-face", "@charset", "@namespace", "@page", "@keyframes"};
   if (idle.count(word) || medium == Medium::other) return;
   if (medium == Medium::screen) return read_rules(block, style, drawing);
+  if (word == "@import")
+    return drawing.skip(lost_style(style.place, "the rule \"" + io::excerpt(head, 40) + "\"",
+                                   "takes styles from another file, which is not read",
+                                   "put the styles into the drawing"));
   Drawing unused;
   StyleSheet within(xml_);
   within.read_rules(block, style, unused);
@@ -236,7 +252,7 @@ ElementStyle StyleSheet::style_of(std::size_t node) const {
   if (const std::string* style = element.find("style")) {
     each_piece(*style, ';', [&](const std::string& piece) {
       const auto [name, given] = declaration_of(piece);
-      if (!read_properties().count(name)) return;
+      if (!matters(name)) return;
       bool important = false;
       const std::string text = without_important(given, important);
       offer(name, {important, {1000000, 0, 0}}, text);
@@ -247,15 +263,37 @@ ElementStyle StyleSheet::style_of(std::size_t node) const {
   return style;
 }
 
-std::string unread_in_style(const XmlElement& element) {
-  std::string unread;
-  if (const std::string* style = element.find("style")) {
-    each_piece(*style, ';', [&](const std::string& piece) {
-      const std::string name = declaration_of(piece).first;
-      if (moving_properties().count(name)) unread = name;
-    });
+namespace {
+
+/// A value by which nothing changes.
+bool is_idle(const std::string& property, const std::string& word) {
+  if (word == "none" || word == "auto" || word == "initial" || word == "unset") return true;
+  const auto length = parse_length(word);
+  if (!length) return false;
+  const bool one = length->value == 1 || (length->value == 100 && length->unit == "%");
+  if (property == "zoom" || property == "scale") return one;
+  return property == "rotate" && length->value == 0;
+}
+
+/// Does the style say what the attribute says?
+bool says_the_same(const XmlElement& element, const std::string& property, const std::string& text) {
+  const std::string* attribute = element.find(property);
+  const auto there = attribute ? parse_length(*attribute) : std::nullopt, given = parse_length(text);
+  const auto unit = [](const Length& length) { return length.unit.empty() ? std::string("px") : length.unit; };
+  return there && given && there->value == given->value && unit(*there) == unit(*given);
+}
+
+}  // namespace
+
+std::string ElementStyle::unread(const XmlElement& element) const {
+  const bool has_size = is_svg_shape(element.name) || element.name == "use" || element.name == "svg";
+  for (const auto& [name, text] : values_) {
+    if (text.find("var(") != std::string::npos) return name + ": " + text;
+    if (moving_properties().count(name) && !is_idle(name, word(name))) return name;
+    if (has_size && size_properties().count(name) && !is_idle(name, word(name)) && !says_the_same(element, name, text))
+      return name;
   }
-  return unread;
+  return "";
 }
 
 bool is_svg_shape(const std::string& name) {

@@ -22,6 +22,8 @@ class ElementStyle {
   std::string word(const std::string& name) const;
   /// A number or a percentage that is 0.
   bool is_zero(const std::string& name) const;
+  /// What the style says about where and what the element is, and is not read: "transform", say; or empty.
+  std::string unread(const XmlElement& element) const;
 
  private:
   friend class StyleSheet;
@@ -52,16 +54,13 @@ class StyleSheet {
 
   void read_rules(const std::string& css, const XmlElement& style, Drawing& drawing);
   void read_at_rule(const std::string& head, const std::string& block, const XmlElement& style, Drawing& drawing);
-  Values read_declarations(const std::string& text, const XmlElement& style, Drawing& drawing) const;
+  static Values read_declarations(const std::string& text);
   void add(const std::string& selectors, const Values& values, const XmlElement& style, Drawing& drawing);
   bool may_change_shapes(const Selector& selector) const;
 
   const XmlTree& xml_;
   std::vector<Rule> rules_;  ///< later ones outdo earlier ones of the same specificity
 };
-
-/// What an element's attribute `style` says about where and what it is, and is not read: "transform", say; or empty.
-std::string unread_in_style(const XmlElement& element);
 
 /// path, rect, circle, ellipse, polygon, polyline and line.
 bool is_svg_shape(const std::string& name);

@@ -124,7 +124,9 @@ TEST(ImportCss, ObeysSelectorsOfAllKinds) {
 
 TEST(ImportCss, RefusesWhatMayChangeShapes) {
   for (const char* css : {"rect:nth-child(2){fill:none}", "g:has(rect){display:none}", "circle:is(.a){opacity:0}",
-                          "@media (min-width:5px){rect{display:none}}", "rect >{fill:none}", "rect{transform:none}",
+                          "@media (min-width:5px){rect{display:none}}", "rect >{fill:none}", "rect{transform:scale(2)}",
+                          "#p{rotate:9deg}", "#p{zoom:2}", "circle{offset-path:path('M0 0h9')}", "circle{r:2px}",
+                          "@import url(x.css);", "circle{fill:var(--cut)}", ".plate{fill:none; .cut{fill:red}}",
                           "@supports (fill:red){rect{visibility:hidden}}"}) {
     const Import import = plate_with(css);
     ASSERT_EQ(import.faults.size(), 1u) << css;
@@ -132,8 +134,10 @@ TEST(ImportCss, RefusesWhatMayChangeShapes) {
     EXPECT_NE(import.faults[0].hint().find("--open skip"), std::string::npos) << css;
   }
   EXPECT_NE(plate_with("rect:nth-child(2){fill:none}").faults.at(0).problem().find(":nth-child(2)"), std::string::npos);
-  for (const char* css : {"text:nth-child(2){fill:none}", "rect:nth-child(2){font-size:3px}", "rect:hover{fill:none}",
-                          "@import url(x.css);", "@media (min-width:5px){text{font-size:3px}}", "a:focus{fill:none}"})
+  for (const char* css :
+       {"text:nth-child(2){fill:none}", "rect:nth-child(2){font-size:3px}", "rect:hover{fill:none}",
+        "@media (min-width:5px){text{font-size:3px}}", "a:focus{fill:none}", "rect{transform:none}", "circle{r:1px}",
+        "text{scale:2}", "svg{width:100%;height:auto}", "g{width:3px}", "#p{zoom:1}", "rect{transform-origin:center}"})
     EXPECT_TRUE(plate_with(css).faults.empty()) << css;
 }
 

@@ -278,9 +278,9 @@ TEST(ImportSvg, TellsWhatOfStylesItDoesNotRead) {
                             "g>rect{display:none} rect:hover{fill:none} g rect{stroke:red} rect{transform:none}</style>"
                             "<rect width='1' height='1' clip-path='url(#x)' style='transform: scale(2)'/>",
                             leaving_out())),
-      (std::vector<std::string>{
-          "the rule \"@import url(x.css)\" in a style sheet is not read", "\"transform\" in a style sheet is not read",
-          "\"clip-path\" is not obeyed: the whole of it is taken", "\"transform\" in a style is not read"}));
+      (std::vector<std::string>{"the rule \"@import url(x.css)\" takes styles from another file, which is not read",
+                                "\"transform\" in a style is not read",
+                                "\"clip-path\" refers to what is not in the file"}));
   EXPECT_EQ(decided_by(svg_import("<style>rect{fill:red</style><rect width='1' height='1'/>")),
             std::vector<std::string>{});
 }

@@ -59,12 +59,16 @@ TEST(ImportSvgPaint, LeavesOutWhatHasNeitherFillNorStroke) {
   EXPECT_EQ(totals_of(svg_of("", "<g opacity='0'>" + plate + "</g>" + plate)).area, 81);
 }
 
-TEST(ImportSvgPaint, SaysHowToShowWhatIsInvisible) {
-  const Import import = svg_of("", "<g fill='none'><rect width='9' height='9'/><circle r='3'/><circle r='4'/></g>");
-  ASSERT_EQ(import.faults.size(), 1u);
-  EXPECT_NE(import.faults[0].hint().find("stroke"), std::string::npos) << import.faults[0].hint();
-  ASSERT_EQ(import.files[0].skipped.size(), 2u);
-  EXPECT_EQ(import.files[0].skipped[1].times, 2);
+TEST(ImportSvgPaint, TakesShapesForOutlinesWhereNothingIsPainted) {
+  const std::string shapes = "<g fill='none'><rect width='9' height='9'/><circle cx='4' cy='4' r='2'/></g>";
+  const Import import = svg_of("", shapes + "<rect x='50' width='3' height='3' display='none'/>");
+  EXPECT_EQ(totals_of(import).holes, 1u);
+  ASSERT_EQ(import.files[0].notes.size(), 1u);
+  EXPECT_EQ(import.files[0].notes[0], "nothing in the file has a fill or a stroke: its 2 shapes are read as outlines");
+  // Where anything is painted, what is not is not meant.
+  const Import painted = svg_of("", shapes + "<rect x='50' width='3' height='3'/>");
+  EXPECT_EQ(totals_of(painted).area, 9);
+  EXPECT_EQ(painted.files[0].skipped.size(), 2u);
 }
 
 TEST(ImportSvgPaint, TakesOneAlternativeOfASwitch) {
@@ -87,7 +91,7 @@ TEST(ImportSvgPaint, ReadsWhatGetsAStroke) {
                   "<g style='fill:none" + stroke + "'><path d='M 0 0 H 100 V 100 H 0 L 0.0003 0.0005'/>" +
                       "<rect x='20' y='20' width='60' height='60'/></g>");
   };
-  EXPECT_TRUE(read("").bodies.empty());
+  EXPECT_NEAR(totals_of(read("")).area, 6400, 0.1);
   EXPECT_NEAR(totals_of(read(";stroke:red")).area, 6400, 0.1);
   EXPECT_EQ(totals_of(read(";stroke:red")).holes, 1u);
 }

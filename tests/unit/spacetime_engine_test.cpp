@@ -9,6 +9,7 @@
 #include "pair/placement.hpp"
 #include "relative/make_segments.hpp"
 #include "relative/motion_segment.hpp"
+#include "sign/precise_function.hpp"
 #include "spacetime/box_separation.hpp"
 #include "spacetime/first_contact.hpp"
 #include "spacetime/local_expansion.hpp"

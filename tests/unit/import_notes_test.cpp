@@ -1,0 +1,60 @@
+// What a person should know of how a drawing was read: notes, lists of what was left out, and remedies.
+#include <gtest/gtest.h>
+
+#include "support/drawings.hpp"
+#include "taut/error.hpp"
+
+namespace taut {
+namespace {
+
+using drawing::Import;
+using drawing::ImportSettings;
+using testing::DxfText;
+using testing::examine;
+using testing::expect_totals;
+
+std::string all_notes(const Import& import) {
+  std::string all;
+  for (const std::string& note : import.files.at(0).notes) all += note + "\n";
+  return all;
+}
+
+bool tells(const Import& import, const std::string& text) { return all_notes(import).find(text) != std::string::npos; }
+
+TEST(ImportNotes, TellOfContoursOnFilledShapesOfOtherBodies) {
+  const Import plate = examine(
+      "<svg><rect width='40' height='40'/><circle cx='20' cy='20' r='5' fill='none' stroke='red'/></svg>", "d.svg");
+  EXPECT_EQ(plate.bodies.size(), 2u);
+  EXPECT_TRUE(tells(plate, "it is a body of its own, not a hole")) << all_notes(plate);
+  const Import beside = examine(
+      "<svg><rect width='10' height='40'/><circle cx='20' cy='20' r='5' fill='none' stroke='red'/></svg>", "d.svg");
+  EXPECT_EQ(all_notes(beside), "");
+}
+
+TEST(ImportNotes, TellOfTheBorderOfASheet) {
+  DxfText sheet;
+  sheet.box({-50, -50}, {250, 150}, "border").box({0, 0}, {20, 20}, "parts").circle({10, 10}, 3, "parts");
+  EXPECT_TRUE(tells(examine(sheet), "layer border is one quadrilateral around all others"))
+      << all_notes(examine(sheet));
+  EXPECT_TRUE(tells(examine(sheet), "--layer \"parts\""));
+  ImportSettings only;
+  only.layers = {"parts"};
+  const Import parts = examine(sheet, only);
+  expect_totals(parts, 400 - 9 * 3.14159265, 1, 1, 0.2);
+  EXPECT_FALSE(tells(parts, "quadrilateral"));
+  DxfText plate;
+  plate.box({0, 0}, {20, 20}, "outer").circle({10, 10}, 3, "inner");
+  EXPECT_FALSE(tells(examine(plate), "quadrilateral")) << "a plate with a hole";
+}
+
+TEST(ImportNotes, FillingsApartFromAllLinesAreShapes) {
+  DxfText text;
+  text.box({0, 0}, {20, 20});
+  text.begin("SOLID", "0").at(10, {100, 0}).at(11, {110, 0}).at(12, {100, 10}).at(13, {110, 10});
+  expect_totals(examine(text), 500, 2, 0);
+  text.begin("SOLID", "0").at(10, {5, 5}).at(11, {6, 5}).at(12, {5, 6}).at(13, {6, 6});
+  expect_totals(examine(text), 500, 2, 0);
+}
+
+}  // namespace
+}  // namespace taut
