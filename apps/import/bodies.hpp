@@ -49,6 +49,8 @@ class BodyMaker {
   void read_sheet(const Layer& layer, Sheet& sheet, std::vector<Named>& parts);
   void read_parts(const Layer& layer, Sheet& sheet, std::vector<Named>& parts);
   void take_report(const Outlines& outlines, const std::vector<Chain>& chains, const std::vector<std::string>& layers);
+  void fail_open(const Outlines& outlines, const Closure& closure, const std::vector<Chain>& chains);
+  static double joinable_distance(const Outlines& outlines, const std::vector<Chain>& chains);
   void note_holes(const Outlines& outlines, const std::vector<std::string>& layers);
   /// With all but the part itself as `like` has it.
   void add_region(Region region, const Named& like, std::vector<Named>& parts);
@@ -62,6 +64,11 @@ class BodyMaker {
   void skip(const std::string& place, const std::string& what, const std::string& reason, const std::string& layer);
   /// The layer on whose material the shape may lie, or that it may bound; nothing if there is none.
   std::optional<std::size_t> layer_at(const LostShape& shape, const SegmentStrips& edges) const;
+  struct OpenEnd {
+    std::string place;  ///< of the line
+    Point at;
+  };
+  std::optional<OpenEnd> open_end_at(const LostShape& shape) const;
   void fail(const std::string& place, const std::string& problem, const std::string& hint) {
     import_.faults.emplace_back(place, problem, hint);
   }

@@ -74,11 +74,6 @@ double least_extent(const std::vector<Chain>& chains) {
   return least;
 }
 
-/// A distance that is not small beside everything that is drawn would join what does not belong together.
-std::string join_hint(double join, double least) {
-  return join < least / 4 ? fmt::format(", or with --join {:.3g}", join) : "";
-}
-
 }  // namespace
 
 /// Lines of layers, in the sets that the plan says.
@@ -265,23 +260,48 @@ void BodyMaker::take_report(const Outlines& outlines, const std::vector<Chain>& 
     file_.notes.push_back(fmt::format("parts share cuts, {}, the first one at {}: the areas between cuts are parts",
                                       counted_text(outlines.cuts, "segment", "segments"),
                                       point_text(outlines.first_cut)));
-  if (settings_.open != OpenRings::error) return;
-  for (const Closure& closure : outlines.suspicious) {
-    const std::size_t source = outlines.open[closure.lines.front()].source;
-    const auto widest = std::max_element(closure.gaps.begin(), closure.gaps.end(), [](const auto& a, const auto& b) {
-      return std::hypot(a.first.x - a.second.x, a.first.y - a.second.y) <
-             std::hypot(b.first.x - b.second.x, b.first.y - b.second.y);
-    });
-    const double width = std::hypot(widest->first.x - widest->second.x, widest->first.y - widest->second.y);
-    fail(chains[source].place,
-         fmt::format("an outline stays open, with a gap of {:.4g} from {} to {}{}", width, point_text(widest->first),
-                     point_text(widest->second),
-                     closure.gaps.size() > 1
-                         ? fmt::format(", and {} more", counted_text(closure.gaps.size() - 1, "gap", "gaps"))
-                         : ""),
-         fmt::format("close it by straight lines with --open close{}, or leave it out with --open skip",
-                     join_hint(width * 1.01, least_extent(chains))));
+  if (settings_.open == OpenRings::skip) return;
+  for (const Closure& closure : outlines.suspicious) fail_open(outlines, closure, chains);
+}
+
+void BodyMaker::fail_open(const Outlines& outlines, const Closure& closure, const std::vector<Chain>& chains) {
+  const auto width_of = [](const std::pair<Point, Point>& gap) {
+    return std::hypot(gap.first.x - gap.second.x, gap.first.y - gap.second.y);
+  };
+  const auto widest = std::max_element(closure.gaps.begin(), closure.gaps.end(),
+                                       [&](const auto& a, const auto& b) { return width_of(a) < width_of(b); });
+  const double width = width_of(*widest), join = width * 1.01;
+  const bool closing = settings_.open == OpenRings::close;
+  std::string hint = closing ? "draw the line that is missing" : "close it by straight lines with --open close";
+  if (!closing && join < joinable_distance(outlines, chains)) hint += fmt::format(", or with --join {:.3g}", join);
+  fail(chains[outlines.open[closure.lines.front()].source].place,
+       fmt::format("an outline stays open, with a gap of {:.4g} from {} to {}{}{}", width, point_text(widest->first),
+                   point_text(widest->second),
+                   closure.gaps.size() > 1
+                       ? fmt::format(", and {} more", counted_text(closure.gaps.size() - 1, "gap", "gaps"))
+                       : "",
+                   closure.encloses ? "; what is closed at " + chains[*closure.encloses].place + " lies in it" : ""),
+       hint + ", or leave it out with --open skip");
+}
+
+/// Ends that are joined so far apart spare what is drawn: half of the least line, and of the least width of what is
+/// enclosed.
+double BodyMaker::joinable_distance(const Outlines& outlines, const std::vector<Chain>& chains) {
+  double least = least_extent(chains) / 2;
+  const auto include = [&least](const Polygon& ring) {
+    double around = 0;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Point &a = ring[i], &b = ring[(i + 1) % ring.size()];
+      around += std::hypot(a.x - b.x, a.y - b.y);
+    }
+    // Of a long strip, half of its width.
+    least = std::min(least, std::fabs(doubled_area(ring)) / around / 2);
+  };
+  for (const Region& region : outlines.regions) {
+    include(region.part.outline);
+    for (const Polygon& hole : region.part.holes) include(hole);
   }
+  return least;
 }
 
 void BodyMaker::note_holes(const Outlines& outlines, const std::vector<std::string>& layers) {

@@ -55,6 +55,17 @@ std::optional<std::size_t> BodyMaker::layer_at(const LostShape& shape, const Seg
   return std::nullopt;
 }
 
+/// A line that ends open where the shape lies may be a part of the same outline.
+std::optional<BodyMaker::OpenEnd> BodyMaker::open_end_at(const LostShape& shape) const {
+  if (shape.points.empty() || shape.filling) return std::nullopt;
+  const SegmentBox tight = box_of(shape.points);
+  const SegmentBox box({tight.lo_x, tight.lo_y}, {tight.hi_x, tight.hi_y}, file_.fineness.join);
+  for (const OpenReport& open : file_.open)
+    for (const Point& end : {open.points.front(), open.points.back()})
+      if (box.holds(SegmentBox(end, end))) return OpenEnd{open.place, end};
+  return std::nullopt;
+}
+
 /// An outline that was not read leaves a hole filled, or a part out: as open ones do.
 void BodyMaker::require_nothing_lost(const Drawing& drawing) {
   const bool any = std::any_of(file_.skipped.begin(), file_.skipped.end(),
@@ -71,10 +82,13 @@ void BodyMaker::require_nothing_lost(const Drawing& drawing) {
   for (const Skipped& skipped : file_.skipped) {
     for (const LostShape& shape : skipped.shapes) {
       const auto layer = layer_at(shape, edges);
-      if (!layer && skipped.remedy.empty()) continue;
+      const auto end = layer || !skipped.remedy.empty() ? std::nullopt : open_end_at(shape);
+      if (!layer && !end && skipped.remedy.empty()) continue;
       fail(shape.place,
            skipped.what + " " + skipped.reason +
-               consequence_of(skipped, shape, layer ? drawing.layers[*layer].name : ""),
+               (end ? fmt::format("; the line at {} ends open there, at {}, and both may be one outline", end->place,
+                                  point_text(end->at))
+                    : consequence_of(skipped, shape, layer ? drawing.layers[*layer].name : "")),
            (skipped.remedy.empty() ? "draw it anew as lines, arcs, polylines or paths" : skipped.remedy) +
                ", or leave it as it is with --open skip");
       break;

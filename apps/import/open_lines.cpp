@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <queue>
 #include <tuple>
 #include <utility>
@@ -18,7 +19,8 @@ double span_between(const Point& p, const Point& q) { return std::hypot(p.x - q.
 /// Free ends in the order of the plane: end 2k is the start of line k, 2k + 1 its end.
 class FreeEnds {
  public:
-  explicit FreeEnds(const std::vector<OpenLine>& lines) : lines_(lines) {
+  /// `apart`: do the ends of one line not meet each other?
+  FreeEnds(const std::vector<OpenLine>& lines, bool apart) : lines_(lines), apart_(apart) {
     for (std::size_t k = 0; k < lines.size(); ++k) {
       if (lines[k].free_start) ends_.push_back(2 * k);
       if (lines[k].free_end) ends_.push_back(2 * k + 1);
@@ -97,12 +99,11 @@ class FreeEnds {
   bool may_meet(std::size_t a, std::size_t b) const {
     if (a == b) return false;
     if (a / 2 != b / 2) return true;
-    const std::vector<Point>& points = lines_[a / 2].points;
-    const Point &p = points.front(), &q = points.back();
-    return std::any_of(points.begin(), points.end(), [&](const Point& r) { return orientation(p, q, r) != 0; });
+    return !apart_ && !lines_[a / 2].is_straight();
   }
 
   const std::vector<OpenLine>& lines_;
+  const bool apart_;
   std::vector<std::size_t> ends_, rank_, paired_;
 };
 
@@ -112,6 +113,11 @@ double OpenLine::length() const {
   double sum = 0;
   for (std::size_t i = 0; i + 1 < points.size(); ++i) sum += span_between(points[i], points[i + 1]);
   return sum;
+}
+
+bool OpenLine::is_straight() const {
+  return std::all_of(points.begin(), points.end(),
+                     [this](const Point& p) { return orientation(points.front(), points.back(), p) == 0; });
 }
 
 std::vector<OpenLine> open_lines(const LineGraph& graph, const std::vector<bool>& all,
@@ -143,8 +149,8 @@ std::vector<OpenLine> open_lines(const LineGraph& graph, const std::vector<bool>
   return lines;
 }
 
-std::vector<Closure> find_closures(std::vector<OpenLine>& lines) {
-  FreeEnds ends(lines);
+void find_nearest_ends(std::vector<OpenLine>& lines) {
+  const FreeEnds ends(lines, false);
   for (const std::size_t end : ends.all()) {
     const FreeEnds::Nearest other = ends.nearest(end);
     if (other.end == FreeEnds::none) continue;
@@ -153,6 +159,10 @@ std::vector<Closure> find_closures(std::vector<OpenLine>& lines) {
     (end % 2 == 0 ? line.gap_start : line.gap_end) = other.distance;
     (end % 2 == 0 ? line.next_start : line.next_end) = other.next;
   }
+}
+
+std::vector<Closure> find_closures(const std::vector<OpenLine>& lines, bool of_several) {
+  FreeEnds ends(lines, of_several);
   ends.pair();
   std::vector<Closure> closures;
   std::vector<bool> used(lines.size(), false);
@@ -193,6 +203,42 @@ double distance_to_segment(const Point& p, const Point& a, const Point& b) {
   const double x = b.x - a.x, y = b.y - a.y, length = x * x + y * y;
   const double along = length > 0 ? std::clamp(((p.x - a.x) * x + (p.y - a.y) * y) / length, 0.0, 1.0) : 0;
   return std::hypot(p.x - a.x - along * x, p.y - a.y - along * y);
+}
+
+std::vector<Closure> closures_of_groups(const std::vector<OpenLine>& lines) {
+  std::vector<std::size_t> group(lines.size());
+  std::map<std::pair<double, double>, std::size_t> first;  // of the lines that have an end there
+  const auto root = [&group](std::size_t k) {
+    while (group[k] != k) k = group[k] = group[group[k]];
+    return k;
+  };
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    group[k] = k;
+    for (const Point& end : {lines[k].points.front(), lines[k].points.back()}) {
+      const std::size_t other = root(first.try_emplace({end.x, end.y}, k).first->second), own = root(k);
+      group[std::max(own, other)] = std::min(own, other);
+    }
+  }
+  std::map<std::size_t, Closure> closures;
+  std::map<std::size_t, std::vector<Point>> free, all;  // ends
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    const OpenLine& line = lines[k];
+    Closure& closure = closures[root(k)];
+    closure.lines.push_back(k);
+    closure.line_length += line.length();
+    closure.ring.insert(closure.ring.end(), line.points.begin(), line.points.end());
+    if (line.free_start) free[root(k)].push_back(line.points.front());
+    if (line.free_end) free[root(k)].push_back(line.points.back());
+    for (const Point& end : {line.points.front(), line.points.back()}) all[root(k)].push_back(end);
+  }
+  std::vector<Closure> out;
+  for (auto& [k, closure] : closures) {
+    const std::vector<Point>& ends = free[k].size() > 1 ? free[k] : all[k];
+    closure.gaps.push_back({ends.front(), ends.back()});
+    closure.gap_length = span_between(ends.front(), ends.back());
+    out.push_back(std::move(closure));
+  }
+  return out;
 }
 
 bool roughly_inside(const Polygon& ring, const Point& p) {

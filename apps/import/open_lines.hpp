@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "import/line_graph.hpp"
@@ -18,6 +19,7 @@ struct OpenLine {
   double next_start = 0, next_end = 0;        ///< how far away the one after it is
 
   double length() const;
+  bool is_straight() const;
 };
 
 /// A ring of open lines and of the straight gaps between their free ends.
@@ -28,14 +30,22 @@ struct Closure {
   double gap_length = 0, line_length = 0;
   /// Of any gap: how many times farther away than its two ends are from each other the next free end is, at least.
   double clearness = 0;
+  std::optional<std::size_t> encloses = {};  ///< a chain of something closed that lies within, if that is why it counts
 };
 
 /// The lines that those edges make which are in `removed`; `all` of the graph's edges say where lines meet others.
 std::vector<OpenLine> open_lines(const LineGraph& graph, const std::vector<bool>& all,
                                  const std::vector<bool>& removed);
 
-/// Pairs free ends, nearest first, and finds the rings that come of it. Fills in the nearest ends.
-std::vector<Closure> find_closures(std::vector<OpenLine>& lines);
+/// Fills in the nearest free ends.
+void find_nearest_ends(std::vector<OpenLine>& lines);
+
+/// Pairs free ends, nearest first, and finds the rings that come of it; of several lines only, if it is said. The
+/// nearest ends are known.
+std::vector<Closure> find_closures(const std::vector<OpenLine>& lines, bool of_several = false);
+
+/// Lines that meet each other, as if straight lines between two of their ends closed them.
+std::vector<Closure> closures_of_groups(const std::vector<OpenLine>& lines);
 
 /// Rounded.
 double distance_to_segment(const Point& p, const Point& a, const Point& b);

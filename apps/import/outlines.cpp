@@ -10,6 +10,7 @@
 #include "geometry/predicates.hpp"
 #include "geometry/segment_strips.hpp"
 #include "geometry/touching_rings.hpp"
+#include "import/closed_pieces.hpp"
 #include "import/contours.hpp"
 
 namespace taut::drawing {
@@ -20,8 +21,8 @@ namespace {
 /// Moved ends may come near to others: rarely more than twice.
 constexpr int most_joinings = 12;
 /// An open ring whose gaps are no longer than this part of its lines is taken for one that was meant to be closed, if
-/// no other ends are nearly as near; one that encloses closed contours, if they are no longer than half of its lines,
-/// or no longer than its lines where it does not lie in material.
+/// no other ends are nearly as near; one in material that encloses closed contours, if they are no longer than half of
+/// its lines. Of those outside of material see find_open_outlines().
 constexpr double small_gap = 0.1, large_gap = 0.5, clear_gap = 2;
 
 std::vector<Strand> strands_of(const std::vector<Chain>& chains) {
@@ -45,7 +46,7 @@ class OutlineMaker {
   Outlines of_lines() {
     join();
     prune(true);
-    find_suspicious();
+    find_suspicious(settings_.close);
     if (settings_.close && !out_.suspicious.empty()) close();
     const FaceMap faces = mend();
     if (!any_alive()) return std::move(out_);
@@ -143,34 +144,60 @@ class OutlineMaker {
     std::erase_if(out_.open, [this](const OpenLine& line) { return line.length() <= settings_.join; });
   }
 
-  void find_suspicious() {
+  /// `closing`: what a person wants closed need not be clear.
+  void find_suspicious(bool closing) {
     std::vector<Point> enclosed;
     for (std::size_t e = 0; e < alive_.size(); ++e)
       if (alive_[e]) enclosed.push_back(graph_.point(graph_.edges[e].from));
     std::sort(enclosed.begin(), enclosed.end(), lexicographically_less);
     enclosed.erase(std::unique(enclosed.begin(), enclosed.end()), enclosed.end());
-    for (Closure& closure : find_closures(out_.open)) {
+    find_nearest_ends(out_.open);
+    std::vector<Closure> closures = find_closures(out_.open);
+    find_open_outlines(closures);
+    for (Closure& closure : closures) {
       const double around = closure.line_length + closure.gap_length;
-      if (std::fabs(doubled_area(closure.ring)) <= settings_.join * around) continue;
+      if (!closure.encloses && std::fabs(doubled_area(closure.ring)) <= settings_.join * around) continue;
       const bool clear = closure.gap_length <= small_gap * closure.line_length && closure.clearness >= clear_gap;
-      const bool meant = clear || (closure.gap_length <= closure.line_length && holds_any(closure.ring, enclosed) &&
-                                   (closure.gap_length <= large_gap * closure.line_length || !in_material(closure)));
-      if (meant || (settings_.close && closure.gap_length <= closure.line_length))
+      const bool meant = clear || closure.encloses ||
+                         (closure.gap_length <= large_gap * closure.line_length && holds_any(closure.ring, enclosed));
+      if (meant || (closing && closure.gap_length <= closure.line_length))
         out_.suspicious.push_back(std::move(closure));
     }
   }
 
-  /// Does one of the lines begin within a closed contour? In doubles, by the even-odd rule.
-  bool in_material(const Closure& closure) const {
-    return std::any_of(closure.lines.begin(), closure.lines.end(), [this](std::size_t k) {
-      const Point& p = out_.open[k].points.front();
-      bool inside = false;
-      for (std::size_t e = 0; e < alive_.size(); ++e) {
-        if (!alive_[e]) continue;
-        const Point &a = graph_.point(graph_.edges[e].from), &b = graph_.point(graph_.edges[e].to);
-        if (is_left_of(p, a, b)) inside = !inside;
+  /// Lines outside of all that is closed, in whose hull something closed lies: however wide their gap is, they may be
+  /// its outline. Several of them may if each bends, and they are longer than the gaps.
+  void find_open_outlines(std::vector<Closure>& closures) const {
+    if (!any_alive() || out_.open.empty()) return;
+    ClosedPieces closed(graph_, alive_);
+    std::vector<bool> used(out_.open.size(), false);
+    const auto look = [&](Closure& closure) {
+      const auto piece = closed.within_hull(closure.ring);
+      if (!piece || std::any_of(closure.lines.begin(), closure.lines.end(),
+                                [&](std::size_t k) { return closed.surround(out_.open[k].points); }))
+        return;
+      closure.encloses = piece;
+      for (const std::size_t k : closure.lines) used[k] = true;
+    };
+    const auto look_further = [&](std::vector<Closure> more, bool several) {
+      for (Closure& closure : more) {
+        if (std::any_of(closure.lines.begin(), closure.lines.end(), [&used](std::size_t k) { return used[k]; }))
+          continue;
+        if (several && (closure.gap_length > closure.line_length ||
+                        std::any_of(closure.lines.begin(), closure.lines.end(),
+                                    [this](std::size_t k) { return out_.open[k].is_straight(); })))
+          continue;
+        look(closure);
+        if (closure.encloses) closures.push_back(std::move(closure));
       }
-      return inside;
+    };
+    for (Closure& closure : closures)
+      if (closure.lines.size() == 1 || closure.gap_length <= closure.line_length) look(closure);
+    look_further(closures_of_groups(out_.open), false);
+    look_further(find_closures(out_.open, true), true);
+    std::erase_if(closures, [&used](const Closure& closure) {
+      return !closure.encloses &&
+             std::any_of(closure.lines.begin(), closure.lines.end(), [&used](std::size_t k) { return used[k]; });
     });
   }
 
@@ -192,7 +219,8 @@ class OutlineMaker {
     out_.suspicious.clear();
     join();
     prune(true);
-    find_closures(out_.open);
+    // What straight lines did not close.
+    find_suspicious(false);
   }
 
   /// What is larger than a loop that is cut off.

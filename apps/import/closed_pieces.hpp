@@ -1,0 +1,39 @@
+// What is closed in a drawing of lines, for those that stay open.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "geometry/segment_strips.hpp"
+#include "import/faces.hpp"
+#include "import/line_graph.hpp"
+
+namespace taut::drawing {
+using namespace internal;
+
+/// The connected pieces that a graph's edges on cycles make.
+class ClosedPieces {
+ public:
+  /// `closed` are the edges on cycles.
+  ClosedPieces(const LineGraph& graph, const std::vector<bool>& closed);
+
+  /// The source of a piece that lies in the convex hull of these points; nothing if there is none.
+  std::optional<std::size_t> within_hull(const std::vector<Point>& points) const;
+
+  /// Does something closed go around the line? It must cross nothing that is closed.
+  bool surround(const std::vector<Point>& line);
+
+ private:
+  struct Piece {
+    std::vector<int> nodes;
+    std::size_t source = 0;
+  };
+  const LineGraph& graph_;
+  const std::vector<bool>& closed_;
+  std::vector<Piece> pieces_;
+  SegmentStrips boxes_, edges_;
+  std::optional<FaceMap> faces_;  ///< when they are asked for first, and `edges_`
+};
+
+}  // namespace taut::drawing
