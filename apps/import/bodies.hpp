@@ -57,7 +57,7 @@ class BodyMaker {
   void make_bodies(const std::string& name, std::vector<Named> parts);
   void add_body(const std::string& wanted, std::vector<Named> named);
   double overlap_of(const std::string& name, const std::vector<Named>& parts);
-  void take_curves(const std::vector<Part>& parts, Body& body) const;
+  void take_curves(const std::vector<Part>& parts, Body& body);
   bool is_valid(const Named& named, const std::string& layer);
   OutlineSettings outline_settings() const;
   std::string unused_name(const std::string& wanted);

@@ -66,7 +66,6 @@ Outline CurveFinder::outline(const Polygon& ring) const {
     }
     i += match.curve->inner.size();
     outline.segments.push_back(segment_to(*match.curve, match.reversed, ring[(begin + i++) % n]));
-    ++found_;
   }
   return outline;
 }

@@ -17,8 +17,6 @@ class CurveFinder {
 
   /// The ring with its curves. Where ends have been joined, curves end where the ring does.
   Outline outline(const Polygon& ring) const;
-  /// How many curves have been found in any ring.
-  std::size_t found() const { return found_; }
 
  private:
   struct Match {
@@ -28,7 +26,6 @@ class CurveFinder {
   Match match_at(const Polygon& ring, std::size_t first) const;
 
   std::map<std::pair<double, double>, Match> by_first_;
-  mutable std::size_t found_ = 0;
 };
 
 }  // namespace taut::drawing
