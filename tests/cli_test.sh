@@ -137,8 +137,16 @@ expect 2 '' '--layer: open.svg has no layer "marks"' import open.svg --layer mar
 expect 2 '' 'its layers are: cut, mark' import open.svg --layer marks
 expect 2 '' 'plate.svg:2:[0-9]+: <text> is text' import plate.svg --strict
 expect 2 '' '--by' import plate.svg --by size
-touch plate.png
-expect 2 '' 'plate.png: the ending of the file' import plate.png
+touch plate.png plate.abc
+expect 2 '' 'plate.abc: the ending of the file' import plate.abc
+expect 2 '' 'plate.png: the file is an image' import plate.png
+expect 2 '' 'taut import map.yaml' import plate.png
+gzip -c plate.svg >plate.svgz
+expect 0 '"holes":\[\[' 'plate.svgz: SVG' import plate.svgz
+# What is there already is not of the run that failed.
+echo old >old.json
+expect 2 '' 'nothing is written: old.json is an older file, and stays as it is' import open.svg -o old.json
+grep -q old old.json || { echo "FAILED: a file was written in spite of an error"; failures=$((failures + 1)); }
 expect 2 '' 'missing.svg' import missing.svg
 
 # Robots' maps, and cells.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
@@ -46,7 +47,14 @@ std::vector<std::string> names_in(const std::string& list) {
   return names;
 }
 
-int run_import(ImportArguments arguments) {
+/// A file that is there already is not that of this run.
+void tell_unwritten(const std::string& output) {
+  std::error_code none;
+  if (!output.empty() && std::filesystem::is_regular_file(output, none))
+    fmt::print(stderr, "taut: nothing is written: {} is an older file, and stays as it is\n", io::for_terminal(output));
+}
+
+int import_files(ImportArguments& arguments) {
   drawing::ImportSettings& settings = arguments.settings;
   require_size("--tolerance", settings.tolerance, false);
   require_size("--scale", settings.scale, false);
@@ -67,6 +75,15 @@ int run_import(ImportArguments arguments) {
   if (!import.faults.empty()) throw import.faults.front();
   write_output(arguments.output, write_scene(import.scene));
   return exit_free;
+}
+
+int run_import(ImportArguments arguments) {
+  try {
+    return import_files(arguments);
+  } catch (const InputError&) {
+    tell_unwritten(arguments.output);
+    throw;
+  }
 }
 
 template <class Value>
