@@ -172,6 +172,22 @@ std::vector<Point> corners_of(const DxfItem& item, const Affine& where) {
   return corners;
 }
 
+void Heights::include(const DxfItem& item) {
+  const auto add = [this](double z) {
+    lo = std::min(lo, z);
+    hi = std::max(hi, z);
+  };
+  // Of an ellipse, 31 is a direction.
+  const bool ends = item.type() == "LINE", many = item.type() == "SPLINE";
+  bool any = false;
+  for (const DxfGroup& group : item.groups()) {
+    if (group.code != 30 && group.code != 38 && !(group.code == 31 && (ends || many))) continue;
+    add(item.number_of(group));
+    any = true;
+  }
+  if (!any) add(0);
+}
+
 std::vector<BulgedVertex> vertices_of(const DxfItem& lwpolyline) {
   std::vector<BulgedVertex> vertices;
   for (const DxfGroup& group : lwpolyline.groups()) {

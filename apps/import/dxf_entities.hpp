@@ -1,6 +1,7 @@
 // The entities of DXF that are lines and curves.
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -18,6 +19,12 @@ bool is_annotation(const DxfItem& item);
 
 /// Points in whose box the entity lies; empty if its numbers do not say.
 std::vector<Point> corners_of(const DxfItem& item, const Affine& where);
+
+/// The least and the greatest z of what lines and curves go through.
+struct Heights {
+  double lo = INFINITY, hi = -INFINITY;
+  void include(const DxfItem& item);
+};
 
 /// A vertex of a polyline, and a quarter of the tangent of the arc to the next one.
 struct BulgedVertex {

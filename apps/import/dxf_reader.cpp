@@ -12,6 +12,7 @@
 #include "import/dxf_entities.hpp"
 #include "import/dxf_hatch.hpp"
 #include "import/text_encoding.hpp"
+#include "io/number_text.hpp"
 #include "io/text_file.hpp"
 #include "taut/error.hpp"
 
@@ -102,6 +103,9 @@ class DxfReader {
                                " no control points, the first one at " + first_fitted_ +
                                ": cubic through the fit points by chord lengths, and natural at ends without a tangent;"
                                " other programs may draw another curve");
+    if (heights_.lo < heights_.hi)
+      drawing_.notes.push_back("z runs from " + io::number_text(heights_.lo) + " to " + io::number_text(heights_.hi) +
+                               ", and is left out: the drawing is seen from above");
     drawing_.curves = flattener_.counts();
     drawing_.kept = flattener_.take_kept();
     return std::move(drawing_);
@@ -245,6 +249,8 @@ class DxfReader {
       return fillings_.push_back(
           {&item, own.layer, group_of(item, own), {solid_boundary(item, placed)}, Fill::even_odd});
     std::optional<Chain> chain;
+    heights_.include(item);
+    for (const DxfItem* vertex : vertices) heights_.include(*vertex);
     if (type == "POLYLINE") {
       if ((item.integer(70) & (16 | 64)) != 0) return lose(item, own.layer, "is a mesh", corners_of(vertices, placed));
       chain = polyline(item, vertices, placed);
@@ -254,7 +260,8 @@ class DxfReader {
     }
     if (!chain) return lose(item, own.layer, reason_for(type), corners_of(item, placed));
     if (type == "SPLINE" && !item.has(10) && fitted_++ == 0) first_fitted_ = item.place();
-    if (chain->points.size() < 2) return skip(item, own.layer, "has fewer than two points", false);
+    if (chain->points.empty() || box_of(chain->points).extent() == 0)
+      return skip(item, own.layer, "has no extent", false);
     Layer& target = drawing_.layer(group_of(item, own));
     if (target.sheets.empty()) target.sheets.push_back({"", Fill::even_odd, {}, true});
     target.sheets[0].chains.push_back(std::move(*chain));
@@ -382,6 +389,7 @@ class DxfReader {
   std::map<std::string, std::string> spellings_;  ///< of layers, by their names in small letters
   std::set<std::string> off_, frozen_, layers_, respelled_;
   std::vector<Filling> fillings_;
+  Heights heights_;
   std::size_t entities_read_ = 0, fitted_ = 0;
   std::string first_fitted_;  ///< of splines without control points
 };

@@ -1,12 +1,12 @@
 #include "import/import.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <set>
 
 #include "import/bodies.hpp"
 #include "import/dxf_reader.hpp"
+#include "import/file_kinds.hpp"
 #include "import/kicad_reader.hpp"
 #include "import/png_image.hpp"
 #include "import/svg_reader.hpp"
@@ -23,15 +23,6 @@ using namespace internal;
 
 namespace {
 
-/// ".svg" of "a/b.SVG".
-std::string ending_of(const std::string& file) {
-  const std::size_t dot = file.rfind('.'), slash = file.rfind('/');
-  if (dot == std::string::npos || (slash != std::string::npos && dot < slash)) return "";
-  std::string ending = file.substr(dot);
-  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return ending;
-}
-
 std::string stem_of(const std::string& file) {
   const std::string name = file.substr(file.rfind('/') + 1);
   return name.substr(0, name.rfind('.'));
@@ -47,6 +38,8 @@ void scale_parts(std::vector<Part>& parts, double scale) {
   }
 }
 
+const char* const heights_left_out = "z and m of vertices are left out: the plane is seen from above";
+
 Drawing read_map(std::string text, const std::string& file, const ImportSettings& settings, bool wkt) {
   Drawing drawing;
   drawing.file = file;
@@ -57,17 +50,26 @@ Drawing read_map(std::string text, const std::string& file, const ImportSettings
     drawing.layers.push_back({name, {Sheet{"", Fill::even_odd, {}, false, std::move(parts)}}});
   };
   if (wkt) {
-    add(stem_of(file), io::parse_wkt(std::move(text), file, {}));
+    io::WktRest rest;
+    std::vector<Part> parts = io::parse_wkt_polygons(std::move(text), file, {}, rest);
+    for (const io::WktRest::Geometry& other : rest.others)
+      drawing.skip(other.area ? lost(other.place, other.type, "has curves, and is not read")
+                              : Skipped{other.place, other.type, "is no polygon", "", "", true});
+    if (rest.heights) drawing.notes.push_back(heights_left_out);
+    if (!parts.empty()) add(stem_of(file), std::move(parts));
     drawing.fineness = fineness_of(settings, 1, drawing.diagonal());
     return drawing;
   }
+  bool heights = false;
   for (io::GeoFeature& feature : io::parse_geojson_features(std::move(text), file, {})) {
     for (const std::string& skipped : feature.skipped) {
       const std::size_t end = skipped.rfind(": ");
       drawing.skip({skipped.substr(0, end), "geometry", skipped.substr(end + 2), "", "", true});
     }
+    heights = heights || feature.heights;
     if (!feature.parts.empty()) add(feature.name.empty() ? stem_of(file) : feature.name, std::move(feature.parts));
   }
+  if (heights) drawing.notes.push_back(heights_left_out);
   drawing.fineness = fineness_of(settings, 1, drawing.diagonal());
   return drawing;
 }
@@ -94,17 +96,15 @@ Drawing read_occupancy(const std::string& file, const ImportSettings& settings) 
 
 Drawing read_drawing(std::string text, const std::string& file, const ImportSettings& settings) {
   const std::string ending = ending_of(file);
+  if (is_gzip(text)) text = unzipped(text, file);
   to_plain_utf8(text);
-  if (ending == ".svg") return read_svg(text, file, settings);
+  if (ending == ".svg" || ending == ".svgz") return read_svg(text, file, settings);
   if (ending == ".dxf") return read_dxf(text, file, settings);
   if (ending == ".kicad_pcb") return read_kicad(text, file, settings);
   if (ending == ".wkt") return read_map(std::move(text), file, settings, true);
   static const std::set<std::string> json{".geojson", ".json", ".geojsonl", ".geojsons", ".ndjson"};
   if (json.count(ending)) return read_map(std::move(text), file, settings, false);
-  throw InputError(
-      file,
-      "the ending of the file's name is none of .svg, .dxf, .kicad_pcb, .wkt, .geojson, .geojsonl, .json and .yaml",
-      "give the file the ending of its format");
+  refuse_kind(file);
 }
 
 Import examine_drawings(std::vector<Drawing> drawings, const ImportSettings& settings) {

@@ -91,7 +91,7 @@ class GeoJsonReader {
       note_if_empty(list, prefix + "features", "there are no features");
       for_each_element(list, prefix + "features", [this](std::size_t i, const std::string& p) { read_object(i, p); });
     } else if (name == "Feature") {
-      features_.push_back({feature_name(here), {}, {}});
+      features_.push_back({feature_name(here), {}, {}, false});
       read_geometry_of_feature(here, path);
     } else {
       features_.push_back({});
@@ -149,9 +149,11 @@ class GeoJsonReader {
     add_parts(features_.back().parts, std::move(part));
   }
 
-  Polygon read_ring(std::size_t token, const std::string& path) const {
+  Polygon read_ring(std::size_t token, const std::string& path) {
     // One more than the limit, for the repeated vertex.
     Polygon ring = read_points(document_, token, path, limits_.max_vertices + 1, true);
+    for (std::size_t i = token + 1; i < document_.after(token); i = document_.after(i))
+      if (document_.after(i) > i + 3 && document_.at(i + 3).number != 0) features_.back().heights = true;
     drop_repeated_vertices(ring);
     if (ring.size() > limits_.max_vertices) fail_size(document_, token, path, limits_.max_vertices);
     return ring;

@@ -13,6 +13,20 @@ namespace taut::internal::io {
 std::vector<Part> parse_wkt(std::string text, const std::string& name, const ReadLimits& limits);
 std::vector<Part> parse_geojson(std::string text, const std::string& name, const ReadLimits& limits);
 
+/// What a WKT file holds besides its polygons.
+struct WktRest {
+  struct Geometry {
+    std::string place, type;
+    bool area = false;  ///< does it enclose an area, with curves?
+  };
+  std::vector<Geometry> others;  ///< that are no polygons
+  bool heights = false;          ///< do vertices have z or m?
+};
+
+/// As parse_wkt(), but what is no polygon is told instead of refused.
+std::vector<Part> parse_wkt_polygons(std::string text, const std::string& name, const ReadLimits& limits,
+                                     WktRest& rest);
+
 /// The outline of the only part. Throws InputError if there are more, or holes.
 Polygon only_outline(std::vector<Part> parts, const std::string& name);
 
@@ -21,6 +35,7 @@ struct GeoFeature {
   std::string name;  ///< its id, or the name in its properties; may be empty
   std::vector<Part> parts;
   std::vector<std::string> skipped;  ///< what is no polygon: where it is, and what
+  bool heights = false;              ///< do vertices have z?
 };
 
 /// Every feature by itself. What is no polygon is told instead of refused.

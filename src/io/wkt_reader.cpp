@@ -20,8 +20,9 @@ constexpr int max_nesting = 32;
 
 class WktReader {
  public:
-  WktReader(const std::string& text, const std::string& name, const ReadLimits& limits)
-      : text_(text), name_(name), limits_(limits) {}
+  /// Without `rest`, what is no polygon is refused.
+  WktReader(const std::string& text, const std::string& name, const ReadLimits& limits, WktRest* rest)
+      : text_(text), name_(name), limits_(limits), rest_(rest) {}
 
   /// Geometries one after the other, each on a line of its own, say, or with semicolons between them.
   std::vector<Part> read() {
@@ -38,7 +39,7 @@ class WktReader {
       }
       skip_space();
       if (position_ == text_.size()) {
-        if (parts_.empty()) fail_empty();
+        if (parts_.empty() && (!rest_ || rest_->others.empty())) fail_empty();
         return std::move(parts_);
       }
       if (!std::isalpha(static_cast<unsigned char>(text_[position_])))
@@ -48,7 +49,7 @@ class WktReader {
   }
 
  private:
-  enum class Kind { polygon, polygons, surface, collection, other, unknown };
+  enum class Kind { polygon, polygons, surface, collection, curved, other, unknown };
 
   /// "POLYGONZ" is "POLYGON Z". Words that are unknown are not quoted, the file may be any.
   static Kind kind_of(std::string word, std::string* dimensions) {
@@ -59,8 +60,8 @@ class WktReader {
         {"POINT", Kind::other},           {"MULTIPOINT", Kind::other},
         {"LINESTRING", Kind::other},      {"MULTILINESTRING", Kind::other},
         {"CIRCULARSTRING", Kind::other},  {"COMPOUNDCURVE", Kind::other},
-        {"MULTICURVE", Kind::other},      {"CURVEPOLYGON", Kind::other},
-        {"MULTISURFACE", Kind::other},
+        {"MULTICURVE", Kind::other},      {"CURVEPOLYGON", Kind::curved},
+        {"MULTISURFACE", Kind::curved},
     };
     for (const char* end : {"", "ZM", "Z", "M"}) {
       if (!word.ends_with(end)) continue;
@@ -79,6 +80,7 @@ class WktReader {
     if (kind == Kind::unknown)
       fail(std::string("expected POLYGON or MULTIPOLYGON") + (word.empty() ? "" : ", found another word"));
     const std::size_t before = position_;
+    const std::size_t start = before - std::min(before, word.size());
     if (depth == max_nesting) fail("collections are nested more than " + std::to_string(max_nesting) + " deep");
     std::string next = read_word();
     if (next == "Z" || next == "M" || next == "ZM") {
@@ -87,7 +89,8 @@ class WktReader {
     }
     if (!next.empty() && next != "EMPTY") fail("expected \"(\" or EMPTY after " + word);
     if (next == "EMPTY") return note_empty();
-    if (kind == Kind::other) {
+    if (kind == Kind::other || kind == Kind::curved) {
+      if (rest_) return pass_over(word, start, kind == Kind::curved);
       position_ = before;
       fail("expected POLYGON or MULTIPOLYGON, found " + word);
     }
@@ -105,6 +108,16 @@ class WktReader {
         read_polygon(kind == Kind::surface);
     } while (take(','));
     expect(')', kind == Kind::collection ? "after the geometries" : "after the polygons");
+  }
+
+  /// Of a geometry that is no polygon, all that its brackets hold.
+  void pass_over(const std::string& word, std::size_t start, bool area) {
+    rest_->others.push_back({place_in_text(text_, name_, start), word, area});
+    expect('(', "before the coordinates");
+    for (int depth = 1; depth > 0; ++position_) {
+      if (position_ >= text_.size()) fail("expected \")\" after the coordinates");
+      depth += text_[position_] == '(' ? 1 : text_[position_] == ')' ? -1 : 0;
+    }
   }
 
   /// Faces of a surface must be in one plane, above that of the scene.
@@ -131,6 +144,7 @@ class WktReader {
       skip_space();
       for (int k = 0; position_ < text_.size() && text_[position_] != ',' && text_[position_] != ')'; ++k) {
         const double more = read_coordinate();  // Z, M
+        if (rest_ && more != 0) rest_->heights = true;
         if (flat && has_z_ && k == 0 && height_.value_or(more) != more)
           fail("the surface is not flat: its z coordinates differ", "project it into the plane of the scene");
         if (k == 0) height_ = more;
@@ -198,11 +212,20 @@ class WktReader {
   const std::string& text_;
   std::string name_;
   const ReadLimits& limits_;
+  WktRest* rest_;
   std::size_t position_ = 0, empty_at_ = 0;
   bool has_z_ = true;             ///< is the third coordinate z, and not m?
   std::optional<double> height_;  ///< z of the surface that is read
   std::vector<Part> parts_;
 };
+
+std::vector<Part> read_all_wkt(std::string text, const std::string& name, const ReadLimits& limits, WktRest* rest) {
+  drop_byte_order_mark(text);
+  if (text.find_first_not_of(" \t\r\n") == std::string::npos) {
+    throw InputError(name, "the file is empty", "write POLYGON ((x y, x y, x y, ...))");
+  }
+  return WktReader(text, name, limits, rest).read();
+}
 
 }  // namespace
 
@@ -222,11 +245,12 @@ Polygon only_outline(std::vector<Part> parts, const std::string& name) {
 }
 
 std::vector<Part> parse_wkt(std::string text, const std::string& name, const ReadLimits& limits) {
-  drop_byte_order_mark(text);
-  if (text.find_first_not_of(" \t\r\n") == std::string::npos) {
-    throw InputError(name, "the file is empty", "write POLYGON ((x y, x y, x y, ...))");
-  }
-  return WktReader(text, name, limits).read();
+  return read_all_wkt(std::move(text), name, limits, nullptr);
+}
+
+std::vector<Part> parse_wkt_polygons(std::string text, const std::string& name, const ReadLimits& limits,
+                                     WktRest& rest) {
+  return read_all_wkt(std::move(text), name, limits, &rest);
 }
 
 }  // namespace taut::internal::io

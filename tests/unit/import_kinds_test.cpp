@@ -1,0 +1,115 @@
+// Files of other kinds, and compressed ones.
+#include <gtest/gtest.h>
+
+#include "import/file_kinds.hpp"
+#include "support/drawings.hpp"
+#include "taut/error.hpp"
+
+namespace taut {
+namespace {
+
+using testing::examine;
+
+std::string hint_for(const std::string& file) {
+  try {
+    drawing::read_drawing("", file, {});
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.place(), file);
+    return error.hint();
+  }
+  return "";
+}
+
+TEST(ImportKinds, RefusalsSayWhatToDo) {
+  EXPECT_NE(hint_for("map.pgm").find("taut import map.yaml"), std::string::npos);
+  EXPECT_NE(hint_for("map.PNG").find("resolution: 0.05"), std::string::npos);
+  EXPECT_NE(hint_for("plate.dwg").find("ASCII DXF"), std::string::npos);
+  EXPECT_NE(hint_for("R1.kicad_mod").find(".kicad_pcb"), std::string::npos);
+  EXPECT_NE(hint_for("page.pdf").find("Inkscape"), std::string::npos);
+  EXPECT_NE(hint_for("block.step").find("DXF"), std::string::npos);
+  EXPECT_NE(hint_for("a.b/plate").find("ending of its format"), std::string::npos);
+}
+
+/// <svg xmlns="http://www.w3.org/2000/svg"><rect width="5" height="4"/></svg>
+const unsigned char zipped_drawing[] = {
+    0x1f, 0x8b, 0x08, 0x00, 0x00, 0x00, 0x00, 0x00, 0x02, 0x03, 0xb3, 0x29, 0x2e, 0x4b, 0x57, 0xa8, 0xc8, 0xcd, 0xc9,
+    0x2b, 0xb6, 0x55, 0xca, 0x28, 0x29, 0x29, 0xb0, 0xd2, 0xd7, 0x2f, 0x2f, 0x2f, 0xd7, 0x2b, 0x37, 0xd6, 0xcb, 0x2f,
+    0x4a, 0xd7, 0x37, 0x32, 0x30, 0x30, 0xd0, 0x07, 0xaa, 0x50, 0xb2, 0xb3, 0x29, 0x4a, 0x4d, 0x2e, 0x51, 0x28, 0xcf,
+    0x4c, 0x29, 0xc9, 0xb0, 0x55, 0x32, 0x55, 0x52, 0xc8, 0x48, 0xcd, 0x4c, 0xcf, 0x28, 0xb1, 0x55, 0x32, 0x51, 0xd2,
+    0xb7, 0xb3, 0x01, 0x29, 0xb1, 0x03, 0x00, 0x2c, 0x5d, 0x04, 0xdd, 0x4a, 0x00, 0x00, 0x00};
+
+TEST(ImportKinds, CompressedDrawingsAreRead) {
+  const std::string bytes(reinterpret_cast<const char*>(zipped_drawing), sizeof zipped_drawing);
+  try {
+    drawing::unzipped(bytes, "d.svgz");
+  } catch (const InputError& error) {
+    GTEST_SKIP() << error.what();
+  }
+  EXPECT_NEAR(testing::totals_of(examine(bytes, "d.svgz")).area, 20, 1e-12);
+  for (const std::string& damaged : {bytes.substr(0, 30), bytes.substr(0, 20) + "x" + bytes.substr(21)})
+    EXPECT_THROW(examine(damaged, "d.svgz"), InputError);
+}
+
+TEST(ImportKinds, GeometriesThatAreNoPolygonsAreListed) {
+  const auto import = examine(
+      "POINT (1 2)\nPOLYGON ((0 0, 10 0, 10 10, 0 10, 0 0))\nLINESTRING (0 0, 1 1)\n"
+      "GEOMETRYCOLLECTION (POINT EMPTY, MULTIPOINT ((1 1), (2 2)), POLYGON Z ((20 0 3, 30 0 3, 30 10 3)))",
+      "d.wkt");
+  ASSERT_TRUE(import.faults.empty());
+  EXPECT_NEAR(testing::totals_of(import).area, 150, 1e-12);
+  const auto& skipped = import.files[0].skipped;
+  ASSERT_EQ(skipped.size(), 3u);
+  EXPECT_EQ(skipped[0].place + skipped[0].what, "d.wkt:1:1POINT");
+  EXPECT_EQ(skipped[1].place + skipped[1].what, "d.wkt:3:1LINESTRING");
+  EXPECT_EQ(skipped[2].place + skipped[2].what, "d.wkt:4:34MULTIPOINT");
+  ASSERT_EQ(import.files[0].notes.size(), 1u);
+  EXPECT_NE(import.files[0].notes[0].find("z and m"), std::string::npos);
+  // What encloses an area may be a body.
+  const auto curved = examine("POLYGON ((0 0, 1 0, 1 1)); CURVEPOLYGON (CIRCULARSTRING (0 0, 4 0, 0 0))", "d.wkt");
+  EXPECT_EQ(curved.faults.size(), 1u);
+  EXPECT_FALSE(examine("POINT (1 2)", "d.wkt").faults.empty());
+  EXPECT_THROW(examine("POINT (1 2", "d.wkt"), InputError);
+}
+
+TEST(ImportKinds, HeightsAreLeftOutWithANote) {
+  const auto notes = [](const drawing::Import& import) { return import.files[0].notes.size(); };
+  const std::string ring = R"({"type":"Polygon","coordinates":[[[0,0,0],[1,0,HEIGHT],[1,1,0]]]})";
+  const auto with = [&ring](const char* z) { return std::string(ring).replace(ring.find("HEIGHT"), 6, z); };
+  EXPECT_EQ(notes(examine(with("5"), "d.json")), 1u);
+  EXPECT_EQ(notes(examine(with("0"), "d.json")), 0u);
+  testing::DxfText flat, sloped;
+  flat.circle({0, 0}, 5).group(30, "7").circle({0, 0}, 6).group(30, "7");
+  EXPECT_EQ(notes(examine(flat)), 0u);
+  sloped.circle({0, 0}, 5).group(30, "7").circle({0, 0}, 6);
+  ASSERT_EQ(notes(examine(sloped)), 1u);
+  EXPECT_NE(examine(sloped).files[0].notes[0].find("z runs from 0 to 7"), std::string::npos);
+}
+
+TEST(ImportKinds, WhatHasNoExtentIsListed) {
+  testing::DxfText text;
+  text.circle({0, 0}, 5).circle({1, 1}, 0).line({2, 2}, {2, 2});
+  const auto import = examine(text);
+  ASSERT_EQ(import.files[0].skipped.size(), 2u);
+  EXPECT_EQ(import.files[0].skipped[0].what, "CIRCLE");
+  EXPECT_EQ(import.files[0].skipped[0].reason, "has no extent");
+}
+
+/// Curves must not touch in a scene; their chords may.
+TEST(ImportKinds, CurvesThatTouchAreChords) {
+  testing::DxfText text;
+  text.box({0, 0}, {40, 40}).circle({20, 10}, 10).circle({100, 0}, 5, "apart");
+  drawing::ImportSettings settings;
+  settings.curves = true;
+  const auto import = examine(text, settings);
+  ASSERT_TRUE(import.faults.empty());
+  EXPECT_NEAR(testing::totals_of(import).area, 1600 - 75 * 3.14159265, 0.5);
+  ASSERT_EQ(import.files[0].notes.size(), 1u);
+  EXPECT_NE(import.files[0].notes[0].find("meets segment"), std::string::npos) << import.files[0].notes[0];
+  EXPECT_EQ(import.files[0].kept, 4u);
+  ASSERT_EQ(import.scene.bodies.size(), 2u);
+  EXPECT_TRUE(import.scene.bodies[0].curves.empty());
+  EXPECT_FALSE(import.scene.bodies[1].curves.empty());
+}
+
+}  // namespace
+}  // namespace taut
