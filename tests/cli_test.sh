@@ -141,6 +141,8 @@ touch plate.png plate.abc
 expect 2 '' 'plate.abc: the ending of the file' import plate.abc
 expect 2 '' 'plate.png: the file is an image' import plate.png
 expect 2 '' 'taut import map.yaml' import plate.png
+expect 2 '' '--unit: "inch" is no unit of length' import plate.svg --unit inch
+expect 0 '' "taken for in .--unit." import round.svg --unit in -o unit.json
 gzip -c plate.svg >plate.svgz
 expect 0 '"holes":\[\[' 'plate.svgz: SVG' import plate.svgz
 # What is there already is not of the run that failed.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 
 namespace taut::drawing {
 
@@ -30,6 +31,21 @@ Fineness fineness_of(const ImportSettings& settings, double millimetre, double d
     return diagonal > 0 ? std::clamp(length, hundredths * 5e-6 * diagonal, hundredths * 1e-3 * diagonal) : length;
   };
   return {settings.tolerance.value_or(usual(1)), settings.join.value_or(usual(2)), settings.repair.value_or(usual(10))};
+}
+
+std::optional<double> unit_named(const std::string& name) {
+  static const std::map<std::string, double> units{{"mm", 1},       {"cm", 10},        {"m", 1000},
+                                                   {"um", 1e-3},    {"in", 25.4},      {"ft", 304.8},
+                                                   {"mil", 0.0254}, {"pt", 25.4 / 72}, {"px", 25.4 / 96}};
+  const auto unit = units.find(name);
+  return unit == units.end() ? std::nullopt : std::optional(unit->second);
+}
+
+void Drawing::state_unit(const std::string& text, std::optional<double> millimetres, const ImportSettings& settings) {
+  const bool given = !millimetres && !settings.unit.empty();
+  units = given ? text + ", taken for " + settings.unit + " (--unit)" : text;
+  unit = given ? unit_named(settings.unit) : millimetres;
+  millimetre = settings.scale / unit.value_or(1);
 }
 
 void Drawing::count_chorded(const Chorded& more) {

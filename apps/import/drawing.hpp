@@ -30,6 +30,7 @@ struct ImportSettings {
   std::optional<double> join;       ///< ends at most so far apart, or so far from a line, meet
   std::optional<double> repair;     ///< loops and crossings of a ring with itself up to this size are cut off
   double scale = 1;                 ///< all lengths are multiplied by this
+  std::string unit = {};            ///< of drawings that state none, see unit_named(); empty if it is not known
   bool curves = false;  ///< curves stay curves where scenes have such: chords stand for them while lines are joined
   bool split = false;   ///< a body for each part
   Grouping by = Grouping::automatic;
@@ -42,6 +43,9 @@ struct ImportSettings {
   bool unknown_free = false;          ///< of a robot's map: cells that are neither free nor occupied are no obstacles
   std::size_t max_points = 20000000;  ///< of a whole file: a hostile one must not fill the memory
 };
+
+/// How many millimetres the unit has: mm, cm, m, um, in, ft, mil, pt or px; nothing for other words.
+std::optional<double> unit_named(const std::string& name);
 
 /// The lengths that decide what is the same, in units of the scene.
 struct Fineness {
@@ -141,6 +145,7 @@ struct Drawing {
   std::vector<std::string> layer_names = {};  ///< that options may name; if empty, those of `layers`
   bool any_case = false;                      ///< are names the same in small letters and capitals?
   bool nests = true;                          ///< may lines of one layer be holes in what another one encloses?
+  std::optional<double> unit = {};            ///< how many millimetres its unit has, if that is known
   double millimetre = 1;                      ///< how long one is in the scene, if that is known
   Fineness fineness = {};
 
@@ -151,6 +156,8 @@ struct Drawing {
     skip(Skipped{place, what, reason});
   }
   void count_chorded(const Chorded& more);
+  /// What the file says of its unit, and how many millimetres it has; nothing if it says none.
+  void state_unit(const std::string& text, std::optional<double> millimetres, const ImportSettings& settings);
   /// The diagonal of all that is drawn; 0 if that is nothing.
   double diagonal() const;
 };

@@ -34,11 +34,11 @@ struct Block {
 /// A unit of $INSUNITS.
 struct Unit {
   const char* name;
-  double millimetres;  ///< that it has
+  double millimetres;  ///< that it has; 0 if that is not known
 };
 
 const Unit& unit_of(int code) {
-  static const std::map<int, Unit> units{{0, {"none given", 1}},
+  static const std::map<int, Unit> units{{0, {"none given", 0}},
                                          {1, {"in", 25.4}},
                                          {2, {"ft", 304.8}},
                                          {3, {"miles", 1609344}},
@@ -56,7 +56,7 @@ const Unit& unit_of(int code) {
                                          {15, {"dam", 1e4}},
                                          {16, {"hm", 1e5}},
                                          {21, {"US survey ft", 304.8006}}};
-  static const Unit others{"others", 1};
+  static const Unit others{"others", 0};
   const auto unit = units.find(code);
   return unit == units.end() ? others : unit->second;
 }
@@ -113,8 +113,8 @@ class DxfReader {
 
  private:
   void set_unit(int code) {
-    drawing_.units = unit_of(code).name;
-    drawing_.millimetre = settings_.scale / unit_of(code).millimetres;
+    const Unit& unit = unit_of(code);
+    drawing_.state_unit(unit.name, unit.millimetres > 0 ? std::optional(unit.millimetres) : std::nullopt, settings_);
   }
 
   /// Which items are entities of the drawing, and which belong to blocks; units and hidden layers on the way.

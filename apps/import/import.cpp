@@ -44,7 +44,7 @@ Drawing read_map(std::string text, const std::string& file, const ImportSettings
   Drawing drawing;
   drawing.file = file;
   drawing.format = wkt ? "WKT" : "GeoJSON";
-  drawing.units = "the file's own";
+  drawing.state_unit("the file's own", std::nullopt, settings);
   const auto add = [&](const std::string& name, std::vector<Part> parts) {
     if (settings.scale != 1) scale_parts(parts, settings.scale);
     drawing.layers.push_back({name, {Sheet{"", Fill::even_odd, {}, false, std::move(parts)}}});
@@ -57,7 +57,7 @@ Drawing read_map(std::string text, const std::string& file, const ImportSettings
                               : Skipped{other.place, other.type, "is no polygon", "", "", true});
     if (rest.heights) drawing.notes.push_back(heights_left_out);
     if (!parts.empty()) add(stem_of(file), std::move(parts));
-    drawing.fineness = fineness_of(settings, 1, drawing.diagonal());
+    drawing.fineness = fineness_of(settings, drawing.millimetre, drawing.diagonal());
     return drawing;
   }
   bool heights = false;
@@ -70,7 +70,7 @@ Drawing read_map(std::string text, const std::string& file, const ImportSettings
     if (!feature.parts.empty()) add(feature.name.empty() ? stem_of(file) : feature.name, std::move(feature.parts));
   }
   if (heights) drawing.notes.push_back(heights_left_out);
-  drawing.fineness = fineness_of(settings, 1, drawing.diagonal());
+  drawing.fineness = fineness_of(settings, drawing.millimetre, drawing.diagonal());
   return drawing;
 }
 
@@ -83,6 +83,8 @@ Drawing read_occupancy(const std::string& file, const ImportSettings& settings) 
   Drawing drawing;
   drawing.file = file;
   drawing.format = "occupancy grid";
+  // Maps of ROS are in metres.
+  drawing.state_unit("", 1000, settings);
   drawing.units = std::to_string(grid.width) + " x " + std::to_string(grid.height) + " cells of " +
                   io::number_text(grid.resolution);
   for (Body& body : grid_bodies(grid)) {
@@ -90,6 +92,20 @@ Drawing read_occupancy(const std::string& file, const ImportSettings& settings) 
     drawing.layers.push_back({body.name, {Sheet{"", Fill::even_odd, {}, false, std::move(body.parts)}}});
   }
   return drawing;
+}
+
+Drawing read_file(const std::string& file, const ImportSettings& settings) {
+  const std::string ending = ending_of(file);
+  return ending == ".yaml" || ending == ".yml"
+             ? read_occupancy(file, settings)
+             : read_drawing(io::read_text_file(file, ReadLimits{}.max_bytes), file, settings);
+}
+
+[[noreturn]] void fail_unknown_unit(const Drawing& a, const Drawing& b) {
+  const Drawing &known = a.unit ? a : b, &other = a.unit ? b : a;
+  throw InputError(other.file,
+                   "the file states no unit of length, but " + known.file + " does: how long is the one in the other?",
+                   "say what it is drawn in, as --unit mm, or import the files by themselves");
 }
 
 }  // namespace
@@ -134,10 +150,16 @@ Import import_drawings(std::vector<Drawing> drawings, const ImportSettings& sett
 Import examine_files(const std::vector<std::string>& files, const ImportSettings& settings) {
   std::vector<Drawing> drawings;
   for (const std::string& file : files) {
-    const std::string ending = ending_of(file);
-    drawings.push_back(ending == ".yaml" || ending == ".yml"
-                           ? read_occupancy(file, settings)
-                           : read_drawing(io::read_text_file(file, ReadLimits{}.max_bytes), file, settings));
+    drawings.push_back(read_file(file, settings));
+    const Drawing &first = drawings.front(), &last = drawings.back();
+    if (first.unit == last.unit) continue;
+    if (!first.unit || !last.unit) fail_unknown_unit(first, last);
+    ImportSettings converted = settings;
+    const double factor = *last.unit / *first.unit;
+    converted.scale *= factor;
+    drawings.back() = read_file(file, converted);
+    drawings.back().notes.push_back("lengths are converted to the unit of " + first.file + ": times " +
+                                    io::number_text(factor));
   }
   return examine_drawings(std::move(drawings), settings);
 }

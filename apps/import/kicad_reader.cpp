@@ -40,8 +40,7 @@ class KicadReader {
         drills_(root_, settings.drills, flattener_) {
     drawing_.file = file;
     drawing_.format = "KiCad board";
-    drawing_.units = "mm";
-    drawing_.millimetre = settings.scale;
+    drawing_.state_unit("mm", 1, settings);
     // Courtyards lie on the board: they are no holes in it.
     drawing_.nests = false;
   }

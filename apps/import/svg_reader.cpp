@@ -142,8 +142,7 @@ class SvgReader {
                        "the document is not an SVG drawing: its element is <" + io::excerpt(element.name) + ">",
                        "give an SVG drawing, or WKT, GeoJSON or DXF with its usual file ending");
     const Page page = page_of(element);
-    drawing_.units = page.units;
-    drawing_.millimetre = settings_.scale;
+    drawing_.state_unit(page.units, page.physical ? std::optional(1.0) : std::nullopt, settings_);
     if (!page.note.empty()) drawing_.notes.push_back(page.note);
     open_.push_back({1, xml_.end(0), {}});
     Surroundings root;

@@ -110,6 +110,7 @@ Page page_of(const XmlElement& root) {
     if (physical && !size->physical) size->length *= millimetres_of_pixel;
   const bool sized = width.length > 0 || height.length > 0;
   Page page;
+  page.physical = physical;
   if (box) {
     page.viewport = {box->width, box->height};
     const AspectRatio ratio = aspect_ratio_of(root);

@@ -24,6 +24,7 @@ Affine fitted(const ViewBox& box, const Viewport& viewport, const XmlElement& el
 /// What the outermost element says about lengths.
 struct Page {
   double across = 1, up = 1;  ///< how long the user's units are: in millimetres, if the page has a size
+  bool physical = false;      ///< has the page a size in millimetres?
   Viewport viewport;
   std::string units;  ///< for people
   std::string note;   ///< of what cannot be obeyed; or empty

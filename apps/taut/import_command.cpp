@@ -61,6 +61,9 @@ int import_files(ImportArguments& arguments) {
   require_size("--join", settings.join, true);
   require_size("--repair", settings.repair, true);
   require_size("--drills", settings.drills, true);
+  if (!settings.unit.empty() && !drawing::unit_named(settings.unit))
+    throw InputError("--unit", "\"" + settings.unit + "\" is no unit of length",
+                     "write mm, cm, m, um, in, ft, mil, pt or px");
   settings.merge_all = arguments.merged == "*";
   if (!settings.merge_all) settings.merged = names_in(arguments.merged);
   std::optional<Progress> progress(std::in_place);
@@ -147,6 +150,11 @@ void add_import(const Command& app, Action& action) {
   add_reading_options(command, settings);
   add_layer_options(command, *arguments);
   command.add_option("--scale", settings.scale, "multiply all lengths by S (1)").value("S");
+  command
+      .add_option("--unit", settings.unit,
+                  "what a drawing is in that does not say so: mm, cm, m, um, in, ft, mil, pt or px.\nSeveral files are "
+                  "converted to the unit of the first one")
+      .value("U");
   command.add_flag("--split", settings.split, "a body for each part, instead of one for each group or layer");
   command.add_option("--drills", settings.drills, "of a board: drills that are at least D wide are holes in it (none)")
       .value("D");

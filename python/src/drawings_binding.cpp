@@ -49,6 +49,7 @@ void bind_drawings(pybind11::module_& module) {
       .def_readwrite("join", &ImportSettings::join)
       .def_readwrite("repair", &ImportSettings::repair)
       .def_readwrite("scale", &ImportSettings::scale)
+      .def_readwrite("unit", &ImportSettings::unit)
       .def_readwrite("curves", &ImportSettings::curves)
       .def_readwrite("split", &ImportSettings::split)
       .def_readwrite("strict", &ImportSettings::strict)

@@ -15,6 +15,7 @@ class ImportSettings:
     join: Optional[float]
     repair: Optional[float]
     scale: float
+    unit: str
     curves: bool
     split: bool
     strict: bool

@@ -11,7 +11,7 @@ from . import _taut2d
 from ._numbers import number
 from .errors import InputError
 from .scene import Scene
-from .words import Faults, Grouping, OpenLines, RepairKind
+from .words import Faults, Grouping, LengthUnit, OpenLines, RepairKind
 
 __all__ = ["Drawing", "DrawingBody", "DrawingFile", "Gap", "OpenLine", "Repair", "Skipped", "read_drawing"]
 
@@ -187,7 +187,7 @@ def read_drawing(path: Union[str, os.PathLike[str], Sequence[Union[str, os.PathL
                  open: OpenLines = "error", by: Grouping = "auto", layers: Sequence[str] = (),
                  merge_layers: Union[bool, Sequence[str]] = (), scale: float = 1.0, curves: bool = False,
                  split: bool = False, drills: Optional[float] = None, unknown_free: bool = False, strict: bool = False,
-                 faults: Faults = "raise") -> Drawing:
+                 faults: Faults = "raise", unit: Optional[LengthUnit] = None) -> Drawing:
     """A scene of SVG and DXF drawings, of boards of KiCad, WKT and GeoJSON files, and maps of map_server; bodies rest.
 
     ``path``: one file, or several ones; their endings say what they are.
@@ -202,6 +202,8 @@ def read_drawing(path: Union[str, os.PathLike[str], Sequence[Union[str, os.PathL
     ``scale``: all lengths are multiplied by it. ``curves``: arcs and Bezier curves stay what they are. ``split``: a body
     for each part. ``drills``: those of a board that are at least so wide are holes in it. ``unknown_free``: what a
     robot's map does not know is no obstacle. ``strict``: what is not read is an error.
+    ``unit``: what a drawing is in that does not say so: "mm", "cm", "m", "um", "in", "ft", "mil", "pt" or "px". Several
+    files are converted to the unit of the first one.
     ``faults``: "raise": the first fault is raised; "report": the result has them, and no scene.
 
     Raises InputError with file, line and remedy where a file cannot be read, and for faults: outlines that stay open,
@@ -213,6 +215,7 @@ def read_drawing(path: Union[str, os.PathLike[str], Sequence[Union[str, os.PathL
     settings.repair = _length(repair, "repair", True)
     factor = _length(scale, "scale", False)
     settings.scale = 1.0 if factor is None else factor
+    settings.unit = "" if unit is None else _word(unit, "unit", ("mm", "cm", "m", "um", "in", "ft", "mil", "pt", "px"))
     settings.curves, settings.split, settings.strict = bool(curves), bool(split), bool(strict)
     settings.drills = _length(drills, "drills", True)
     settings.unknown_free = bool(unknown_free)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Literal
 
-__all__ = ["AtRest", "CellState", "ContactAt", "Engine", "EngineName", "FaceKind", "Faults", "FillRule", "Grouping",
+__all__ = ["AtRest", "CellState", "ContactAt", "Engine", "EngineName", "FaceKind", "Faults", "FillRule", "Grouping", "LengthUnit",
            "OpenLines", "OutcomeWord", "Pairs", "QuestionOutcome", "RangeOutcome", "RepairKind", "SeparationOutcome",
            "Side", "SimulationState", "Touch", "VerifiedOutcome"]
 
@@ -18,6 +18,7 @@ Side = Literal["outer", "inner"]
 OpenLines = Literal["error", "close", "skip"]
 Grouping = Literal["auto", "layer", "color", "group", "nesting"]
 Faults = Literal["raise", "report"]
+LengthUnit = Literal["mm", "cm", "m", "um", "in", "ft", "mil", "pt", "px"]
 
 # What answers give.
 OutcomeWord = Literal["free", "contact", "overlap_at_start", "undecided", "untested"]
