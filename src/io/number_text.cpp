@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <clocale>
 #include <cmath>
 #include <cstdlib>
+#include <system_error>
 
 namespace taut::internal::io {
 
@@ -51,9 +53,16 @@ std::string number_text(double value) {
 std::optional<double> scan_number(const std::string& text, std::size_t* position) {
   const std::size_t end = end_of_number(text, *position);
   if (end == *position) return std::nullopt;
-  std::string number = text.substr(*position, end - *position);
+  const std::size_t start = *position;
   *position = end;
+#ifdef __cpp_lib_to_chars
+  double value = 0;
+  // Of numbers that are too large or too small it gives none.
+  const char* const first = text.data() + start + (text[start] == '+' ? 1 : 0);
+  if (std::from_chars(first, text.data() + end, value).ec == std::errc()) return value;
+#endif
   // strtod obeys the locale, and std::from_chars for doubles is missing in the browser build.
+  std::string number = text.substr(start, end - start);
   const std::size_t point = number.find('.');
   if (point != std::string::npos) number.replace(point, 1, std::localeconv()->decimal_point);
   return std::strtod(number.c_str(), nullptr);
