@@ -628,7 +628,6 @@ expect 0 '>contact<' 'touch at t = ' draw hit.json --at 9
 expect 0 '>contact<' '' draw hit.json
 expect 2 '' '--at: 11 is outside' draw free.json --at 11
 expect 2 '' 'no/picture.svg: cannot write' draw free.json -o no/picture.svg
-expect 1 '' 'overlap at the start' draw overlap.json
 expect 0 '>geodesic of anvil<' '' draw free.json --at 1 --level 0
 expect 0 'geodesic of hammer' '' draw free.json --level 40
 expect 2 '' '--level' draw free.json --level -1
@@ -639,7 +638,8 @@ expect 0 '<animateTransform .*attributeName="transform"' '' draw hit.json --anim
 expect 0 '>contact at t = 8<' '' draw hit.json --animate
 expect 0 '>free<' '' draw free.json --animate
 expect 0 'prefers-reduced-motion' '' draw free.json --animate
-expect 1 '' 'overlap at the start' draw overlap.json --animate
+expect 0 '>overlap at the start<' 'overlap at the start; drawing that instant' draw overlap.json --animate
+expect 0 '>overlap: ' 'overlap at the start; drawing that instant' draw overlap.json
 expect 2 '' '--animate excludes --at|--at excludes --animate' draw free.json --animate --at 1
 "$taut" gen gears -n 600 | "$taut" draw - --animate -o moving.svg
 [ "$(stat -c %s moving.svg)" -lt 200000 ] || { echo "FAILED: a large moving picture"; failures=$((failures + 1)); }
@@ -654,7 +654,7 @@ expect 0 '>ignored \(1\): a x every other body<' '' draw world.json
 expect 0 '>contact: b x d<' 'b x d touch at t = 0\.1666.*; drawing that instant' draw world.json --at 0.9
 expect 0 '>contact at t = 0\.16666[67]<' '' draw world.json --animate
 expect 2 '' '--at: 3 is outside' draw world.json --at 3
-expect 2 '' '--level: there are no geodesic cycles of a world' draw world.json --level 1
+expect 2 '' '--level: there are no geodesic cycles of these bodies' draw world.json --level 1
 world '{"name":"b","polygon":[[0.5,0],[9,0],[9,9]]},{"name":"c","polygon":[[20,4],[21,4],[21,5]],"motion":{"velocity":[6,0]},"relative_to":"b"}'
 expect 0 '<title>a, b, c, t = 1</title>' '' draw world.json
 sed -i 's/"name":"b"/&,"motion":{"velocity":[1,0]}/' world.json

@@ -125,7 +125,8 @@ class ReportPicture {
         "<text x=\"24\" y=\"20\">{} {} <tspan fill=\"{}\" dx=\"12\">open lines: {}</tspan> <tspan "
         "fill=\"{}\" dx=\"12\">gaps closed: {}</tspan> <tspan fill=\"{}\" dx=\"12\">cut off: {}</tspan>"
         "</text>\n",
-        import_.bodies.size(), import_.bodies.size() == 1 ? "body" : "bodies", open_color, open, gap_color, gaps, repair_color, repairs);
+        import_.bodies.size(), import_.bodies.size() == 1 ? "body" : "bodies", open_color, open, gap_color, gaps,
+        repair_color, repairs);
   }
 
   const Import& import_;

@@ -7,7 +7,6 @@
 #include <functional>
 #include <memory>
 
-#include "animation.hpp"
 #include "commands.hpp"
 #include "demo_scenes.hpp"
 #include "generators/generators.hpp"
@@ -17,6 +16,7 @@
 #include "taut/io.hpp"
 #include "terminal.hpp"
 #include "viewer_page.hpp"
+#include "world_pictures.hpp"
 
 namespace taut::cli {
 using namespace internal;
@@ -124,7 +124,7 @@ int run_demo(const DemoArguments& arguments) {
   const Scene scene = parse_scene(text);
   write_new(stem + ".json", text, arguments.force);
   print_text(fmt::format("{}.json  {}\n", shown, demo.what));
-  write_new(stem + ".svg", animation(scene, Touch::open, {}), arguments.force);
+  write_new(stem + ".svg", world_animation(scene, DrawnTilings()), arguments.force);
   print_text(fmt::format("{}.svg   the motion, to open in a browser\n", shown));
   if (viewer_is_there()) {
     if (!arguments.force) require_new(stem + ".html");

@@ -3,7 +3,6 @@
 #include <memory>
 #include <optional>
 
-#include "animation.hpp"
 #include "commands.hpp"
 #include "io/terminal_text.hpp"
 #include "pair/validate_scene.hpp"
@@ -36,11 +35,11 @@ double instant(const DrawArguments& arguments, const Scene& scene) {
                    "choose an instant within");
 }
 
-/// Of more than two polygons: all bodies, and between those that are near the edges of their tilings.
-int draw_world(const DrawArguments& arguments, const Scene& scene) {
+/// All bodies, and between those that are near the edges of their tilings.
+int draw_bodies(const DrawArguments& arguments, const Scene& scene) {
   if (arguments.level)
-    throw InputError("--level", "there are no geodesic cycles of a world",
-                     "only of two bodies of one polygon each, without holes and parents");
+    throw InputError("--level", "there are no geodesic cycles of these bodies",
+                     "only of two bodies of one polygon each, without holes and parents, that do not overlap");
   std::optional<double> at;
   if (arguments.at) at = instant(arguments, scene);
   CheckOptions options;
@@ -57,38 +56,32 @@ int draw_world(const DrawArguments& arguments, const Scene& scene) {
   return exit_free;
 }
 
-int run_draw(DrawArguments arguments) {
-  const Scene scene = load_scene(arguments.scene);
-  if (!is_ring_pair(scene)) return draw_world(arguments, scene);
-  auto simulation =
-      within_file(arguments.scene.path, [&] { return std::optional(Simulation(scene, arguments.touch)); });
-  if (simulation->state() == SimulationState::overlap_at_start) {
-    fmt::print(stderr, "taut: the bodies overlap at the start: there is no free space to tile\n");
-    return exit_contact;
-  }
-  if (arguments.animate) {
-    AnimateOptions options;
-    options.width = arguments.options.width;
-    options.edges = !arguments.plain;
-    write_output(arguments.output, animation(scene, arguments.touch, options));
-    return exit_free;
-  }
+/// Two polygons at rest in the picture: the faces of their tiling, and its corners.
+int draw_tiling(DrawArguments arguments, const Scene& scene, Simulation& simulation) {
   const double at = instant(arguments, scene);
   arguments.options.faces = !arguments.plain;
   arguments.options.certificates = !arguments.no_corners;
-  if (simulation->advance_to(at) == SimulationState::contact && simulation->contact()) {
-    arguments.options.contact = &*simulation->contact();
+  if (simulation.advance_to(at) == SimulationState::contact && simulation.contact()) {
+    arguments.options.contact = &*simulation.contact();
     if (arguments.at) {
-      fmt::print(stderr, "taut: the bodies touch at t = {}; drawing that instant\n", simulation->contact()->time.lo);
+      fmt::print(stderr, "taut: the bodies touch at t = {}; drawing that instant\n", simulation.contact()->time.lo);
     }
   }
-  const Tiling tiling = simulation->tiling();
+  const Tiling tiling = simulation.tiling();
   if (arguments.level) {
     for (const int body : {0, 1})
-      arguments.options.paths.push_back(drawn_cycle(tiling, simulation->geodesic_cycle(body, *arguments.level)));
+      arguments.options.paths.push_back(drawn_cycle(tiling, simulation.geodesic_cycle(body, *arguments.level)));
   }
   write_output(arguments.output, draw_svg(scene, tiling, arguments.options));
   return exit_free;
+}
+
+int run_draw(DrawArguments arguments) {
+  const Scene scene = load_scene(arguments.scene);
+  if (arguments.animate || !is_ring_pair(scene)) return draw_bodies(arguments, scene);
+  auto simulation = within_file(arguments.scene.path, [&] { return Simulation(scene, arguments.touch); });
+  if (simulation.tiling().edges.empty()) return draw_bodies(arguments, scene);
+  return draw_tiling(std::move(arguments), scene, simulation);
 }
 
 }  // namespace

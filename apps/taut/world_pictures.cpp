@@ -42,6 +42,7 @@ std::string pair_of(const Scene& scene, const Answer& answer) {
 std::string ending_of(const Scene& scene, const Answer& answer) {
   switch (answer.outcome) {
     case Outcome::contact:
+      if (const auto angle = contact_angle(scene, *answer.contact)) return fmt::format("contact at {:.6g}°", angle->lo);
       return fmt::format("contact at t = {:.6g}", answer.contact->time.lo);
     case Outcome::overlap_at_start:
       return "overlap at the start";
@@ -81,6 +82,13 @@ std::string world_animation(const Scene& scene, const Answer& answer, const Draw
     options.tilings = {};
     options.frames = 2 * WorldAnimateOptions().frames;
   }
+}
+
+std::string world_animation(const Scene& scene, const DrawnTilings& how, WorldAnimateOptions options) {
+  CheckOptions asked;
+  asked.touch = how.touch;
+  asked.tell_touching = false;
+  return world_animation(scene, check(scene, asked), how, std::move(options));
 }
 
 std::string world_note(const Scene& scene, const Answer& answer, std::optional<double> at) {

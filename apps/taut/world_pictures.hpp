@@ -1,4 +1,4 @@
-// Pictures of scenes that are more than two polygons.
+// Pictures of the bodies of a scene, at rest and in motion.
 #pragma once
 
 #include <optional>
@@ -22,6 +22,9 @@ std::string world_picture(const Scene& scene, const Answer& answer, std::optiona
 /// From the start to where the answer ends; where the file would get large, with fewer frames, or without tilings.
 std::string world_animation(const Scene& scene, const Answer& answer, const DrawnTilings& how,
                             WorldAnimateOptions options);
+
+/// The same with the answer of check(), for that touch mode.
+std::string world_animation(const Scene& scene, const DrawnTilings& how, WorldAnimateOptions options = {});
 
 /// What the picture does not show of the time that was asked for, for standard error; empty if it shows all.
 std::string world_note(const Scene& scene, const Answer& answer, std::optional<double> at);

@@ -122,24 +122,6 @@ DrawnPath drawn_cycle(const Tiling& tiling, const GeodesicCycle& cycle);
 /// An SVG picture of bodies and tiling.
 std::string draw_svg(const Scene& scene, const Tiling& tiling, const DrawOptions& options = {});
 
-/// What animate_svg() shows, and how.
-struct AnimateOptions {
-  int width = 800;          ///< pixels
-  double seconds = 6;       ///< that the frames take
-  double pause = 2;         ///< seconds on the last frame, before it begins anew
-  bool edges = true;        ///< draw the edges between the bodies
-  std::string title = {};   ///< instead of the bodies' names
-  std::string ending = {};  ///< shown with the last frame: how it ends, in words
-  /// Mark this contact on the last frame, if given.
-  const Contact* contact = nullptr;
-  bool free = false;  ///< it was proved that nothing meets: the bar of time is green, and not grey
-};
-/// An SVG picture that moves, without script: bodies and the edges between them, from the first frame (a tiling at an
-/// instant, as Simulation::tiling() gives it) to the last at an even pace, then from the beginning. At least two
-/// frames; a body must turn by less than 180 degrees from one to the next. Who prefers reduced motion sees the last
-/// frame.
-std::string animate_svg(const Scene& scene, const std::vector<Tiling>& frames, const AnimateOptions& options = {});
-
 /// A distance to mark in a picture: two points in world coordinates, and what is written beside them.
 struct DrawnDistance {
   std::array<Point, 2> points{};
@@ -182,7 +164,8 @@ struct WorldAnimateOptions {
   double pause = 2;            ///< seconds on the last frame, before it begins anew
   int frames = 120;            ///< between which bodies move straight and turn evenly; at least 2
   std::string ending = {};     ///< shown with the last frame: how it ends, in words
-  /// The tilings to draw at an instant; asked for each frame. None are drawn without it.
+  /// The tilings to draw at an instant; called once for each frame. Between frames their lines move with the bodies.
+  /// None are drawn without it.
   std::function<std::vector<NearTiling>(double)> tilings = {};
   bool free = false;  ///< it was proved that nothing meets: the bar of time is green, and not grey
 };

@@ -69,10 +69,10 @@ struct NearTiling {
   std::vector<NearEdge> edges;
 };
 
-/// The tilings at time t, built from scratch, of the pairs of a world that are near: whose boxes meet before a
-/// sixteenth of the scene's time has passed. Where bodies overlap or touch at t, those of a moment before. For drawing
-/// and study. The scene must be valid, without curves, and t within its time; limits are those of check(): parts that
-/// have no tiling, as they overlap, are left out.
+/// The tilings at time t, built from scratch, of a single pair, or of the pairs that are near: whose boxes meet before
+/// a sixteenth of the scene's time has passed. Where bodies overlap or touch at t, those of a moment before. For
+/// drawing and study. The scene must be valid, without curves, and t within its time; limits are those of check():
+/// parts that have no tiling, as they overlap, are left out.
 std::vector<NearTiling> tilings_of_near_pairs(const Scene& scene, double t, Touch touch = Touch::open);
 
 /// One half-edge of the planar map, the form in which the map can be followed through its events. Half-edges 2k and

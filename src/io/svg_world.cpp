@@ -29,7 +29,11 @@ class WorldPicture {
                                                      : options_.title;
     std::string out = io::world_head(canvas_, title);
     // Below the bodies: lines lie between those of their pair.
-    out += io::tiling_paths(io::tiling_lines(shapes_, poses_, options_.tilings), canvas_);
+    const std::vector<NearEdge> lines = io::tiling_lines(shapes_, poses_, options_.tilings);
+    for (const bool pq : {false, true}) {
+      const std::string path = io::tiling_path(shapes_, poses_, lines, pq, canvas_);
+      if (!path.empty()) out += io::tiling_element(path, pq);
+    }
     for (const std::size_t body : shapes_.painting_order()) out += draw_body(body);
     for (const std::size_t body : shapes_.painting_order()) out += draw_number(body);
     out += io::world_marks(scene_, shapes_, poses_, canvas_, options_);

@@ -32,6 +32,7 @@ class WorldAnimation {
         options_(options),
         shapes_(scene),
         frames_(frames()),
+        lines_(lines()),
         legend_(scene, options.draw.width),
         canvas_(all_points(), options.draw.width, io::title_height, io::SvgLoop::bar_height + legend_height()),
         loop_(options.seconds + options.pause) {}
@@ -96,32 +97,56 @@ class WorldAnimation {
   double moment(std::size_t frame) const { return loop().moment(frame); }
   std::string shown_at_the_end(bool moving) const { return moving ? loop().shown_at_the_end() : ""; }
 
-  /// Each frame's own, from its moment to the next one's; below the bodies.
+  /// Below the bodies. The vertices of a line run straight from frame to frame; where the tilings have changed, the
+  /// lines jump.
   std::string draw_tilings(bool moving) const {
     std::string out;
-    const std::size_t last = frames_.size() - 1;
-    for (std::size_t k = moving ? 0 : last; options_.tilings && k <= last; ++k) {
-      const double share = static_cast<double>(k) / static_cast<double>(last);
-      const double t = k == last ? end_ : scene_.start + (end_ - scene_.start) * share;
-      const auto lines = io::tiling_lines(shapes_, frames_[k].poses, options_.tilings(t));
-      out += "<g>" + (moving ? shown_from_to(k, last) : "") + io::tiling_paths(lines, canvas_) + "</g>\n";
+    for (const bool pq : {false, true}) {
+      const std::string last = path_of(frames_.size() - 1, frames_.size() - 1, pq);
+      const io::SvgTrack track = moving ? track_of_tilings(pq) : io::SvgTrack();
+      if (last.empty() && !track.varies()) continue;
+      out += io::tiling_element(last, pq, track.varies() ? fmt::format("<animate {}/>", track.text("d", loop_)) : "");
     }
     return out;
   }
 
-  /// During a frame; during the last one to the end of the loop.
-  std::string shown_from_to(std::size_t k, std::size_t last) const {
-    std::string times = k == 0 ? "" : "0;", values = k == 0 ? "" : "0;";
-    times += fmt::format("{:.5g}", moment(k));
-    values += "1";
-    if (k < last) {
-      times += fmt::format(";{:.5g}", moment(k + 1));
-      values += ";0";
+  io::SvgTrack track_of_tilings(bool pq) const {
+    io::SvgTrack track;
+    if (lines_.empty()) return track;
+    const auto shown = [&](std::size_t of, std::size_t at) {
+      const std::string path = path_of(of, at, pq);
+      return path.empty() ? std::string("M0,0") : path;
+    };
+    track.add(0, shown(0, 0));
+    for (std::size_t k = 1; k < frames_.size(); ++k) {
+      track.add(moment(k), shown(k - 1, k));
+      if (!same_lines(lines_[k - 1], lines_[k])) track.add(moment(k), shown(k, k));
     }
-    return fmt::format(
-        "<animate attributeName=\"opacity\" dur=\"{:.3g}s\" repeatCount=\"indefinite\" calcMode=\"discrete\" "
-        "keyTimes=\"{}\" values=\"{}\"/>",
-        loop_, times, values);
+    track.add(1, shown(frames_.size() - 1, frames_.size() - 1));
+    return track;
+  }
+
+  /// The lines of one frame, with the bodies where they are in another one.
+  std::string path_of(std::size_t of, std::size_t at, bool pq) const {
+    if (lines_.empty()) return "";
+    return io::tiling_path(shapes_, frames_[at].poses, lines_[of], pq, canvas_);
+  }
+
+  static bool same_lines(const std::vector<NearEdge>& a, const std::vector<NearEdge>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const NearEdge& e, const NearEdge& f) {
+      return e.from == f.from && e.to == f.to && e.pq == f.pq;
+    });
+  }
+
+  /// The tilings' lines in each frame.
+  std::vector<std::vector<NearEdge>> lines() const {
+    std::vector<std::vector<NearEdge>> all;
+    for (std::size_t k = 0; options_.tilings && k < frames_.size(); ++k) {
+      const double share = static_cast<double>(k) / static_cast<double>(frames_.size() - 1);
+      const double t = k + 1 == frames_.size() ? end_ : scene_.start + (end_ - scene_.start) * share;
+      all.push_back(io::tiling_lines(shapes_, frames_[k].poses, options_.tilings(t)));
+    }
+    return all;
   }
 
   Point pixel(const Frame& frame, std::size_t body, const Point& p) const {
@@ -179,6 +204,7 @@ class WorldAnimation {
   const WorldAnimateOptions& options_;
   io::WorldShapes shapes_;
   std::vector<Frame> frames_;
+  std::vector<std::vector<NearEdge>> lines_;
   io::WorldLegend legend_;
   io::SvgCanvas canvas_;
   double loop_;

@@ -40,40 +40,55 @@ bool is_worth_drawing(const WorldShapes& shapes, const std::vector<BodyPose>& po
   });
 }
 
-auto key_of(const TilingLine& l) { return std::tuple(l.pq, l.from.x, l.from.y, l.to.x, l.to.y); }
-
 }  // namespace
 
-std::vector<TilingLine> tiling_lines(const WorldShapes& shapes, const std::vector<BodyPose>& poses,
-                                     const std::vector<NearTiling>& tilings) {
-  std::vector<TilingLine> lines;
+std::vector<NearEdge> tiling_lines(const WorldShapes& shapes, const std::vector<BodyPose>& poses,
+                                   const std::vector<NearTiling>& tilings) {
+  struct Line {
+    Point from, to;
+    NearEdge edge;
+    auto key() const { return std::tuple(edge.pq, from.x, from.y, to.x, to.y); }
+  };
+  std::vector<Line> lines;
+  const bool only = shapes.size() == 2 && tilings.size() == 1;
   for (const NearTiling& tiling : tilings) {
-    if (!is_worth_drawing(shapes, poses, tiling)) continue;
+    if (!only && !is_worth_drawing(shapes, poses, tiling)) continue;
     for (const NearEdge& e : tiling.edges) {
-      Point a = place_of(shapes, poses, e.from), b = place_of(shapes, poses, e.to);
-      if (std::tie(b.x, b.y) < std::tie(a.x, a.y)) std::swap(a, b);
-      lines.push_back({a, b, e.pq});
+      Line line{place_of(shapes, poses, e.from), place_of(shapes, poses, e.to), e};
+      if (std::tie(line.to.x, line.to.y) < std::tie(line.from.x, line.from.y)) {
+        std::swap(line.from, line.to);
+        std::swap(line.edge.from, line.edge.to);
+      }
+      lines.push_back(line);
     }
   }
-  std::sort(lines.begin(), lines.end(), [](const TilingLine& a, const TilingLine& b) { return key_of(a) < key_of(b); });
-  lines.erase(std::unique(lines.begin(), lines.end(),
-                          [](const TilingLine& a, const TilingLine& b) { return key_of(a) == key_of(b); }),
+  std::sort(lines.begin(), lines.end(), [](const Line& a, const Line& b) { return a.key() < b.key(); });
+  lines.erase(std::unique(lines.begin(), lines.end(), [](const Line& a, const Line& b) { return a.key() == b.key(); }),
               lines.end());
-  return lines;
+  // In an order that does not change while the bodies move.
+  const auto place = [](const VertexRef& v) { return std::tuple(v.body, v.part, v.ring, v.index); };
+  std::vector<NearEdge> edges;
+  for (const Line& line : lines) edges.push_back(line.edge);
+  for (NearEdge& e : edges)
+    if (place(e.to) < place(e.from)) std::swap(e.from, e.to);
+  std::sort(edges.begin(), edges.end(), [&](const NearEdge& a, const NearEdge& b) {
+    return std::tuple(place(a.from), place(a.to)) < std::tuple(place(b.from), place(b.to));
+  });
+  return edges;
 }
 
-std::string tiling_paths(const std::vector<TilingLine>& lines, const SvgCanvas& canvas) {
-  std::string out;
-  for (const bool pq : {false, true}) {
-    std::string path;
-    for (const TilingLine& l : lines) {
-      if (l.pq == pq) path += "M" + pixel_text(canvas.pixel(l.from)) + "L" + pixel_text(canvas.pixel(l.to));
-    }
-    if (path.empty()) continue;
-    out += fmt::format("<path class=\"tiling\" d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\"/>\n", path,
-                       pq ? pq_colour : tiling_colour, pq ? 0.9 : 0.7);
-  }
-  return out;
+std::string tiling_path(const WorldShapes& shapes, const std::vector<BodyPose>& poses,
+                        const std::vector<NearEdge>& lines, bool pq, const SvgCanvas& canvas) {
+  std::string path;
+  const auto pixel = [&](const VertexRef& v) { return pixel_text(canvas.pixel(place_of(shapes, poses, v))); };
+  for (const NearEdge& e : lines)
+    if (e.pq == pq) path += "M" + pixel(e.from) + "L" + pixel(e.to);
+  return path;
+}
+
+std::string tiling_element(const std::string& path, bool pq, const std::string& inside) {
+  return fmt::format("<path class=\"tiling\" d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\">{}</path>\n",
+                     path, pq ? pq_colour : tiling_colour, pq ? 0.9 : 0.7, inside);
 }
 
 }  // namespace taut::internal::io

@@ -27,6 +27,10 @@ std::vector<std::pair<int, int>> near_pairs(const Instance& instance) {
   std::vector<int> bodies(instance.bodies().size());
   std::iota(bodies.begin(), bodies.end(), 0);
   std::vector<std::pair<int, int>> pairs;
+  if (instance.is_single_pair()) {
+    if (!instance.ignored(0, 1)) pairs.emplace_back(0, 1);
+    return pairs;
+  }
   MeetingBoxes(instance, bodies, instance.start(), instance.end()).each([&](int a, int b, bool) {
     pairs.emplace_back(a, b);
   });

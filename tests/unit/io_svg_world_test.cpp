@@ -170,6 +170,37 @@ TEST(SvgWorldAnimation, MovesChildrenWithTheirParents) {
   EXPECT_EQ(ends, (std::vector<std::string>{"-1440.00", "-1350.00"}));
 }
 
+/// Q goes right and turns. One line joins the bodies, to another vertex of Q in the second half.
+TEST(SvgWorldAnimation, LinesOfTilingsMoveAndJumpWhereTheTilingChanges) {
+  const Polygon square{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+  const Scene scene{0, 1, {{"P", square, {}}, {"Q", square, {{{{3, 4}, {}, AngleRotation{{0, 12.566370614359172}}}}}}}};
+  for (const int count : {2, 3, 41}) {
+    WorldAnimateOptions options;
+    options.frames = count;
+    options.tilings = [](double t) {
+      return std::vector<NearTiling>{{{0, 1}, false, {{{0, 1}, {1, t < 0.5 ? 0 : 1}, true}}}};
+    };
+    const std::string svg = animate_world_svg(scene, 1, options);
+    EXPECT_TRUE(well_formed(svg));
+    std::vector<std::string> times, values;
+    for (const std::string& element : animations(svg)) {
+      if (attribute(element, "attributeName") != "d") continue;
+      times = split(attribute(element, "keyTimes"), ';');
+      values = split(attribute(element, "values"), ';');
+    }
+    ASSERT_EQ(times.size(), values.size());
+    ASSERT_FALSE(times.empty());
+    EXPECT_EQ(times.front(), "0");
+    EXPECT_EQ(times.back(), "1");
+    int jumps = 0;
+    for (std::size_t k = 1; k < times.size(); ++k) {
+      EXPECT_LE(std::stod(times[k - 1]), std::stod(times[k]));
+      jumps += times[k] == times[k - 1] && values[k] != values[k - 1];
+    }
+    EXPECT_EQ(jumps, 1) << count;
+  }
+}
+
 TEST(SvgWorldAnimation, EndsWhereTheStillPictureIs) {
   const Scene scene = crank_scene();
   WorldAnimateOptions options;
