@@ -7,6 +7,7 @@
 #include <set>
 
 #include "import/svg_shapes.hpp"
+#include "import/svg_transform.hpp"
 
 namespace taut::drawing {
 namespace {
@@ -87,10 +88,14 @@ std::vector<Frame> clipping_frames(std::size_t node, const XmlTree& xml, const S
   if (!only) return {};
   const XmlElement& shape = xml.element(*only);
   if (!shows_all(styles.style_of(*only), shape, mask) || has_unknown_size(shape, viewport)) return {};
-  const Affine there = where * parse_transform(clip);
+  std::string unread;
+  const auto own = placement_of(styles.style_of(node), viewport, unread);
+  const auto inner = placement_of(styles.style_of(*only), viewport, unread);
+  if (!own || !inner) return {};
+  const Affine there = where * *own;
   const ImportSettings settings;
   Flattener flattener(settings, 1e300, shape.place);
-  auto frame = frame_of(svg_shape(shape, viewport, there * parse_transform(shape), flattener));
+  auto frame = frame_of(svg_shape(shape, viewport, there * *inner, flattener));
   if (!frame || flattener.counts().segments > 0) return {};
   frame->place = shape.place;
   if (!mask || !says("maskUnits", "userSpaceOnUse")) return {*frame};

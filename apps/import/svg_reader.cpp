@@ -5,12 +5,13 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <memory>
 #include <set>
-#include <sstream>
 
 #include "import/svg_clip.hpp"
 #include "import/svg_shapes.hpp"
 #include "import/svg_styles.hpp"
+#include "import/svg_transform.hpp"
 #include "import/svg_viewport.hpp"
 #include "import/xml_tree.hpp"
 #include "io/number_text.hpp"
@@ -21,31 +22,6 @@ namespace taut::drawing {
 using namespace internal;
 
 namespace {
-
-/// No colour, or one that lets everything through: rgba(0, 0, 0, 0), #0000, #00000000.
-bool is_see_through(const std::string& fill) {
-  if (fill == "none" || fill == "transparent") return true;
-  if (fill.starts_with('#')) {
-    return (fill.size() == 5 && fill.back() == '0') || (fill.size() == 9 && fill.ends_with("00"));
-  }
-  // "rgba(0, 0, 0, 0)", or "rgb(0 0 0 / 0%)", and so for other functions: the fourth value, or what is behind a slash.
-  const std::size_t open = fill.find('('), slash = fill.find('/');
-  if (open == std::string::npos || fill.starts_with("url(")) return false;
-  if (slash == std::string::npos && std::count(fill.begin(), fill.end(), ',') != 3) return false;
-  const std::string alpha = fill.substr(slash == std::string::npos ? fill.rfind(',') + 1 : slash + 1);
-  return !alpha.empty() && alpha.find_first_not_of(" 0.%)") == std::string::npos &&
-         alpha.find('0') != std::string::npos;
-}
-
-/// Are all numbers of a `transform-origin` 0? So they are if there are none.
-bool is_origin(const std::string& text) {
-  std::istringstream words(text);
-  for (std::string word; words >> word;) {
-    const auto length = parse_length(word);
-    if (!length || length->value != 0) return false;
-  }
-  return true;
-}
 
 constexpr int deepest_clone = 16;
 constexpr std::size_t most_cloned = 1000000;
@@ -61,6 +37,7 @@ struct Surroundings {
   bool nested = false;  ///< in a drawing in the drawing, or a symbol
   bool filled = true, displayed = true, hidden = false;
   bool stroked = false, clear_filling = false, clear_line = false, no_width = false;
+  std::shared_ptr<const Variables> variables = nullptr;
   std::string color;  ///< of the line, or else of the filling
   Fill fill = Fill::nonzero;
   int layer = -1;
@@ -239,8 +216,9 @@ class SvgReader {
   /// `named`: by which the layer is called where the element itself has no name.
   Surroundings inside(std::size_t node, Surroundings s, bool group, const XmlElement* named = nullptr) {
     const XmlElement& element = xml_.element(node);
-    const ElementStyle style = styles_.style_of(node);
-    s.where = s.where * parse_transform(element);
+    ElementStyle style = styles_.style_of(node);
+    style.take_variables(s.variables);
+    s.where = s.where * placement(node, style, s.viewport);
     paint(style, s);
     const std::string rule = style.word("fill-rule"), visibility = style.word("visibility");
     if (!rule.empty()) s.fill = rule == "evenodd" ? Fill::even_odd : Fill::nonzero;
@@ -275,12 +253,24 @@ class SvgReader {
     if (!property.empty())
       drawing_.skip(lost_style(element.place, "\"" + io::excerpt(property, 40) + "\" in a style", "is not read",
                                "use an attribute, with a plain value"));
-    if (!is_origin(style.text("transform-origin"))) {
-      const Affine own = parse_transform(element);
-      if (own.a != 1 || own.b != 0 || own.c != 0 || own.d != 1)
-        drawing_.skip(lost_style(element.place, "\"transform-origin\"", "is not read",
-                                 "write the transform as a matrix, or apply it to the shapes"));
-    }
+    for (const char* more : {"filter", "marker", "marker-start", "marker-mid", "marker-end"})
+      if (!style.word(more).empty() && style.word(more) != "none")
+        drawing_.skip(
+            {element.place, "\"" + std::string(more) + "\"", "is not read: shapes are taken without it", "", "", true});
+  }
+
+  /// Of the page by its attribute alone: in styles it has another origin.
+  Affine placement(std::size_t node, const ElementStyle& style, const Viewport& viewport) {
+    const XmlElement& element = xml_.element(node);
+    const Affine attribute = parse_transform(element);
+    if (node == 0 && element.find("transform")) return attribute;
+    std::string unread = "transform";
+    const auto placed = placement_of(style, viewport, unread);
+    if (node > 0 && placed) return *placed;
+    if (!placed || placed->a != 1 || placed->b != 0 || placed->c != 0 || placed->d != 1)
+      drawing_.skip(lost_style(element.place, "\"" + unread + "\"", "is not read",
+                               "write the transform as a matrix, or apply it to the shapes"));
+    return attribute;
   }
 
   /// What is clipped by a rectangle is in a frame. Other clips and masks are not obeyed.

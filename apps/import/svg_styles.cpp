@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <iterator>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -18,15 +20,21 @@ constexpr std::size_t most_rules = 1000;
 
 const std::set<std::string>& read_properties() {
   static const std::set<std::string> names{
-      "fill",    "fill-rule",  "fill-opacity", "stroke",    "stroke-width", "stroke-opacity",  "opacity",
-      "display", "visibility", "overflow",     "clip-path", "mask",         "transform-origin"};
+      "fill",          "fill-rule",  "fill-opacity", "stroke",       "stroke-width", "stroke-opacity",   "opacity",
+      "display",       "visibility", "overflow",     "clip-path",    "mask",         "transform-origin", "transform",
+      "transform-box", "filter",     "marker",       "marker-start", "marker-mid",   "marker-end"};
+  return names;
+}
+
+/// These are read in styles only: attributes of these names mean something else.
+const std::set<std::string>& placing_properties() {
+  static const std::set<std::string> names{"translate", "rotate", "scale"};
   return names;
 }
 
 /// By these a style would change where a shape is, or what is seen of it. They are not read.
 const std::set<std::string>& moving_properties() {
-  static const std::set<std::string> names{"transform",    "translate",          "rotate",           "scale",
-                                           "zoom",         "offset-path",        "offset",           "mask-image",
+  static const std::set<std::string> names{"zoom",         "offset-path",        "offset",           "mask-image",
                                            "-webkit-mask", "-webkit-mask-image", "-webkit-clip-path"};
   return names;
 }
@@ -38,7 +46,9 @@ const std::set<std::string>& size_properties() {
 }
 
 bool matters(const std::string& property) {
-  return read_properties().count(property) || moving_properties().count(property) || size_properties().count(property);
+  if (property.starts_with("--")) return true;
+  return read_properties().count(property) || placing_properties().count(property) ||
+         moving_properties().count(property) || size_properties().count(property);
 }
 
 /// Without comments, and without the marks by which XML and old browsers hide it.
@@ -87,7 +97,9 @@ std::pair<std::string, std::string> declaration_of(const std::string& text) {
   const std::size_t colon = text.find(':');
   if (colon == std::string::npos) return {};
   std::string name = trimmed_text(text.substr(0, colon));
-  for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  // Capitals count in names of custom properties.
+  for (char& c : name)
+    if (!name.starts_with("--")) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return {name, trimmed_text(text.substr(colon + 1))};
 }
 
@@ -135,6 +147,51 @@ std::string ElementStyle::word(const std::string& name) const {
 bool ElementStyle::is_zero(const std::string& name) const {
   const auto length = parse_length(text(name));
   return length && length->value == 0;
+}
+
+namespace {
+
+constexpr int deepest_variable = 8;
+
+/// The text with what custom properties say in place of each var(--name, otherwise); nothing where one says nothing.
+/// Where they refer to each other too deeply, or in a ring, some are left, which is an error.
+std::optional<std::string> with_variables(const std::string& text, const Variables& variables, int depth = 0) {
+  const std::size_t at = in_lower_case(text).find("var(");
+  if (at == std::string::npos || depth == deepest_variable) return text;
+  std::size_t end = at + 4, comma = std::string::npos;
+  for (int open = 1; end < text.size() && open > 0; ++end) {
+    if (text[end] == '(') ++open;
+    if (text[end] == ')') --open;
+    if (text[end] == ',' && open == 1 && comma == std::string::npos) comma = end;
+  }
+  if (text[end - 1] != ')') return std::nullopt;
+  const std::string name = trimmed_text(text.substr(at + 4, std::min(comma, end - 1) - at - 4));
+  const auto known = variables.find(name);
+  std::optional<std::string> value;
+  if (known != variables.end()) value = with_variables(known->second, variables, depth + 1);
+  if (!value && comma != std::string::npos)
+    value = with_variables(trimmed_text(text.substr(comma + 1, end - comma - 2)), variables, depth + 1);
+  if (!value) return std::nullopt;
+  return with_variables(text.substr(0, at) + *value + text.substr(end), variables, depth + 1);
+}
+
+}  // namespace
+
+void ElementStyle::take_variables(std::shared_ptr<const Variables>& around) {
+  Variables own;
+  for (const auto& [name, text] : values_)
+    if (name.starts_with("--")) own[name] = text;
+  if (!own.empty()) {
+    if (around) own.insert(around->begin(), around->end());
+    around = std::make_shared<const Variables>(std::move(own));
+  }
+  static const Variables none;
+  for (auto value = values_.begin(); value != values_.end();) {
+    // What is not known is as if nothing were said.
+    const auto text = with_variables(value->second, around ? *around : none);
+    if (text) value->second = *text;
+    value = text ? std::next(value) : values_.erase(value);
+  }
 }
 
 StyleSheet::Values StyleSheet::read_declarations(const std::string& text) {
@@ -271,8 +328,7 @@ bool is_idle(const std::string& property, const std::string& word) {
   const auto length = parse_length(word);
   if (!length) return false;
   const bool one = length->value == 1 || (length->value == 100 && length->unit == "%");
-  if (property == "zoom" || property == "scale") return one;
-  return property == "rotate" && length->value == 0;
+  return property == "zoom" && one;
 }
 
 /// Does the style say what the attribute says?

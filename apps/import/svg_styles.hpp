@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,9 @@
 #include "import/xml_tree.hpp"
 
 namespace taut::drawing {
+
+/// Custom properties, "--cut", and what they say.
+using Variables = std::map<std::string, std::string>;
 
 /// The properties of an element by itself, as the cascade has them.
 class ElementStyle {
@@ -22,6 +26,8 @@ class ElementStyle {
   std::string word(const std::string& name) const;
   /// A number or a percentage that is 0.
   bool is_zero(const std::string& name) const;
+  /// Replaces var(--name) by what the element, or what surrounds it, says. `around` becomes what is within the element.
+  void take_variables(std::shared_ptr<const Variables>& around);
   /// What the style says about where and what the element is, and is not read: "transform", say; or empty.
   std::string unread(const XmlElement& element) const;
 

@@ -1,9 +1,11 @@
 #include "import/svg_values.hpp"
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <utility>
 
+#include "import/svg_transform.hpp"
 #include "io/number_text.hpp"
 #include "io/text_file.hpp"
 #include "taut/error.hpp"
@@ -14,20 +16,6 @@ using namespace internal;
 namespace {
 
 bool is_gap(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f'; }
-
-/// One function of a `transform`; nothing if it is not one.
-std::optional<Affine> transformation(const std::string& name, const std::vector<double>& v) {
-  const std::size_t n = v.size();
-  if (name == "matrix" && n == 6) return Affine{v[0], v[1], v[2], v[3], v[4], v[5]};
-  if (name == "translate" && (n == 1 || n == 2)) return translation(v[0], n == 2 ? v[1] : 0);
-  if (name == "scale" && (n == 1 || n == 2)) return scaling(v[0], n == 2 ? v[1] : v[0]);
-  if (name == "rotate" && n == 1) return rotation(v[0]);
-  if (name == "rotate" && n == 3) return translation(v[1], v[2]) * rotation(v[0]) * translation(-v[1], -v[2]);
-  constexpr double degree = 3.14159265358979323846 / 180;
-  if (name == "skewX" && n == 1) return Affine{1, 0, std::tan(v[0] * degree), 1, 0, 0};
-  if (name == "skewY" && n == 1) return Affine{1, std::tan(v[0] * degree), 0, 1, 0, 0};
-  return std::nullopt;
-}
 
 /// A hundredth of what the attribute's percentages refer to; of lengths in any direction, that is a mean.
 double percent_of(const std::string& key, const Viewport& viewport) {
@@ -104,25 +92,26 @@ double user_length(const XmlElement& element, const char* key, const Viewport& v
                    "write a number, in the drawing's own units");
 }
 
+bool is_see_through(const std::string& fill) {
+  if (fill == "none" || fill == "transparent") return true;
+  if (fill.starts_with('#')) {
+    return (fill.size() == 5 && fill.back() == '0') || (fill.size() == 9 && fill.ends_with("00"));
+  }
+  // "rgba(0, 0, 0, 0)", or "rgb(0 0 0 / 0%)", and so for other functions: the fourth value, or what is behind a slash.
+  const std::size_t open = fill.find('('), slash = fill.find('/');
+  if (open == std::string::npos || fill.starts_with("url(")) return false;
+  if (slash == std::string::npos && std::count(fill.begin(), fill.end(), ',') != 3) return false;
+  const std::string alpha = fill.substr(slash == std::string::npos ? fill.rfind(',') + 1 : slash + 1);
+  return !alpha.empty() && alpha.find_first_not_of(" 0.%)") == std::string::npos &&
+         alpha.find('0') != std::string::npos;
+}
+
 Affine parse_transform(const XmlElement& element) {
   const std::string* text = element.find("transform");
-  Affine result;
-  if (!text) return result;
-  NumberScanner scanner(*text);
-  while (!scanner.at_end()) {
-    std::string name;
-    char c;
-    while ((c = scanner.letter()) != 0 && c != '(' && c != ')') name += c;
-    std::vector<double> values;
-    while (const auto value = c == '(' && values.size() < 6 ? scanner.number() : std::nullopt) values.push_back(*value);
-    const auto step = transformation(name, values);
-    if (!step || scanner.letter() != ')') {
-      throw InputError(element.place, "transform=\"" + io::excerpt(*text) + "\" cannot be read",
-                       "write matrix(a b c d e f), translate(x y), scale(x y), rotate(a x y), skewX(a) or skewY(a)");
-    }
-    result = result * *step;
-  }
-  return result;
+  if (!text) return {};
+  if (const auto transform = transform_of(*text)) return *transform;
+  throw InputError(element.place, "transform=\"" + io::excerpt(*text) + "\" cannot be read",
+                   "write matrix(a b c d e f), translate(x y), scale(x y), rotate(a x y), skewX(a) or skewY(a)");
 }
 
 }  // namespace taut::drawing

@@ -48,6 +48,9 @@ struct Viewport {
 /// percent of what is not known. Throws InputError for units like em.
 double user_length(const XmlElement& element, const char* key, const Viewport& viewport, double otherwise);
 
+/// No colour, or one that lets everything through: rgba(0, 0, 0, 0), #0000, #00000000.
+bool is_see_through(const std::string& fill);
+
 /// The attribute `transform`. Throws InputError.
 Affine parse_transform(const XmlElement& element);
 

@@ -122,12 +122,38 @@ TEST(ImportCss, ObeysSelectorsOfAllKinds) {
   EXPECT_EQ(totals_of(plate_with("#p{display:none}", "<style media='print'>")).parts, 2u);
 }
 
+TEST(ImportCss, TakesCustomPropertiesFromWhatSurrounds) {
+  const auto parts = [](const std::string& css, const std::string& attributes) {
+    return totals_of(examine("<svg><style>" + css + "</style><g " + attributes +
+                                 "><rect class='a' width='2' height='1'/></g><rect x='9' width='1' height='1'/></svg>",
+                             "d.svg"))
+        .parts;
+  };
+  EXPECT_EQ(parts(".a{fill:var(--cut)}", "style='--cut:none'"), 1u);
+  EXPECT_EQ(parts(".a{fill:var( --cut )}", "style='--cut:red'"), 2u);
+  EXPECT_EQ(parts(":root{--cut:none} .a{fill:var(--cut)}", ""), 1u);
+  EXPECT_EQ(parts(":root{--cut:none} .a{fill:var(--cut)}", "style='--cut:red'"), 2u);
+  EXPECT_EQ(parts(":root{--CUT:none} .a{fill:var(--cut)}", ""), 2u) << "capitals count";
+  EXPECT_EQ(parts(".a{fill:var(--cut, none)}", ""), 1u);
+  EXPECT_EQ(parts(".a{fill:var(--cut, var(--mark, rgb(0 0 0 / 0)))}", ""), 1u);
+  EXPECT_EQ(parts(":root{--cut:var(--mark);--mark:none} .a{fill:var(--cut)}", ""), 1u);
+  EXPECT_EQ(parts(":root{--clear:0} .a{fill:rgb(1 2 3 / var(--clear))}", ""), 1u);
+  // What is not known is as if it were not said; here the rule outdoes the attribute.
+  EXPECT_EQ(parts(".a{fill:var(--cut)}", "fill='none'"), 1u);
+  const std::string ring = "<style>g{--cut:var(--cut)}</style><g fill='var(--cut)'><rect width='2' height='1'/></g>";
+  EXPECT_EQ(examine("<svg>" + ring + "</svg>", "d.svg").faults.size(), 1u);
+  const auto filtered =
+      examine("<svg><rect width='2' height='1' filter='url(#a)' style='marker-end:url(#b)'/></svg>", "d.svg");
+  EXPECT_TRUE(filtered.faults.empty());
+  EXPECT_EQ(filtered.files[0].skipped.size(), 2u);
+}
+
 TEST(ImportCss, RefusesWhatMayChangeShapes) {
-  for (const char* css : {"rect:nth-child(2){fill:none}", "g:has(rect){display:none}", "circle:is(.a){opacity:0}",
-                          "@media (min-width:5px){rect{display:none}}", "rect >{fill:none}", "rect{transform:scale(2)}",
-                          "#p{rotate:9deg}", "#p{zoom:2}", "circle{offset-path:path('M0 0h9')}", "circle{r:2px}",
-                          "@import url(x.css);", "circle{fill:var(--cut)}", ".plate{fill:none; .cut{fill:red}}",
-                          "@supports (fill:red){rect{visibility:hidden}}"}) {
+  for (const char* css :
+       {"rect:nth-child(2){fill:none}", "g:has(rect){display:none}", "circle:is(.a){opacity:0}",
+        "@media (min-width:5px){rect{display:none}}", "rect >{fill:none}", "rect{transform:perspective(2)}",
+        "#p{rotate:x 9deg}", "#p{zoom:2}", "circle{offset-path:path('M0 0h9')}", "circle{r:2px}", "@import url(x.css);",
+        ".plate{fill:none; .cut{fill:red}}", "@supports (fill:red){rect{visibility:hidden}}"}) {
     const Import import = plate_with(css);
     ASSERT_EQ(import.faults.size(), 1u) << css;
     EXPECT_NE(import.faults[0].problem().find("it may change the shape of any body"), std::string::npos) << css;

@@ -55,13 +55,13 @@ TEST(ImportSvgClip, ObeysRectanglesAndRefusesOtherClips) {
 
 TEST(ImportSvgClip, NamesWhatMovesShapesAndIsNotRead) {
   const std::string end = " width='2' height='1'/>";
-  EXPECT_NE(refused("<rect transform='rotate(90)' transform-origin='center'" + end).find("transform-origin"),
+  EXPECT_NE(refused("<rect transform='rotate(90)' transform-origin='center' transform-box='fill-box'" + end)
+                .find("transform-box"),
             std::string::npos);
   EXPECT_EQ(refused("<rect transform='rotate(90)' transform-origin='0 0'" + end), "");
   EXPECT_EQ(refused("<rect transform='translate(3)' transform-origin='5 5'" + end), "");
   EXPECT_EQ(refused("<rect transform-origin='5 5'" + end), "");
-  EXPECT_NE(refused("<g style='rotate:30deg'><rect" + end + "</g>").find("\"rotate\" in a style"), std::string::npos);
-  EXPECT_NE(refused("<rect style='fill:var(--none)'" + end).find("var(--none)"), std::string::npos);
+  EXPECT_NE(refused("<g style='rotate:x 30deg'><rect" + end + "</g>").find("\"rotate\""), std::string::npos);
   const Import sheet = examine("<?xml-stylesheet href='a.css'?><svg><rect" + end + "</svg>", "d.svg");
   ASSERT_EQ(sheet.faults.size(), 1u);
   EXPECT_NE(std::string(sheet.faults[0].what()).find("xml-stylesheet"), std::string::npos);
