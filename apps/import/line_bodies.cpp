@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <utility>
 
 #include "import/bodies.hpp"
@@ -196,20 +195,22 @@ void BodyMaker::note_border(const Drawing& drawing, const std::vector<Piece>& pi
   const Piece& largest = *std::max_element(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) {
     return doubled_area(a.region.part.outline) < doubled_area(b.region.part.outline);
   });
-  const Polygon& outline = largest.region.part.outline;
-  std::set<std::string> others;
+  const SegmentBox around = box_of(largest.region.part.outline);
+  bool any = false;
   for (const Piece& piece : pieces) {
-    if (&piece == &largest) continue;
-    if (piece.layer == largest.layer || !box_of(outline).holds(box_of(piece.region.part.outline))) return;
-    others.insert(drawing.layers[piece.layer].name);
+    if (piece.layer == largest.layer) continue;
+    if (!around.holds(box_of(piece.region.part.outline))) return;
+    any = true;
   }
-  if (outline.size() != 4 || others.empty() || largest.region.part.holes.empty()) return;
+  if (!any || largest.region.part.holes.empty()) return;
   std::string names;
-  for (const std::string& name : others) names += " --layer \"" + io::excerpt(name) + "\"";
-  file_.notes.push_back(
-      fmt::format("layer {} is one quadrilateral around all others: if it is the border of a sheet, leave "
-                  "it out with{}",
-                  io::excerpt(drawing.layers[largest.layer].name), names));
+  for (std::size_t k = 0; k < drawing.layers.size(); ++k)
+    if (k != largest.layer) names += " --layer \"" + io::excerpt(drawing.layers[k].name) + "\"";
+  constexpr std::size_t longest = 200;
+  file_.notes.push_back(fmt::format(
+      "layer {} encloses all others, and bodies lie in its holes: if it is the border of a sheet, leave it out with{}",
+      io::excerpt(drawing.layers[largest.layer].name),
+      names.size() > longest ? " --layer for each of the others" : names));
 }
 
 /// A piece within material of a layer that is read apart could be a hole in it, or a body on it.

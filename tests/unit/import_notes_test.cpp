@@ -34,17 +34,25 @@ TEST(ImportNotes, TellOfContoursOnFilledShapesOfOtherBodies) {
 TEST(ImportNotes, TellOfTheBorderOfASheet) {
   DxfText sheet;
   sheet.box({-50, -50}, {250, 150}, "border").box({0, 0}, {20, 20}, "parts").circle({10, 10}, 3, "parts");
-  EXPECT_TRUE(tells(examine(sheet), "layer border is one quadrilateral around all others"))
-      << all_notes(examine(sheet));
+  EXPECT_TRUE(tells(examine(sheet), "layer border encloses all others")) << all_notes(examine(sheet));
   EXPECT_TRUE(tells(examine(sheet), "--layer \"parts\""));
   ImportSettings only;
   only.layers = {"parts"};
   const Import parts = examine(sheet, only);
   expect_totals(parts, 400 - 9 * 3.14159265, 1, 1, 0.2);
-  EXPECT_FALSE(tells(parts, "quadrilateral"));
+  EXPECT_FALSE(tells(parts, "encloses all others"));
+  // With a title block, and holes on a layer of their own.
+  DxfText titled;
+  titled.box({-50, -50}, {250, 150}, "border")
+      .box({150, -50}, {250, 0}, "border")
+      .line({150, -20}, {250, -20}, "border");
+  titled.box({0, 0}, {20, 20}, "parts").circle({10, 10}, 3, "holes");
+  EXPECT_TRUE(tells(examine(titled), "--layer \"parts\" --layer \"holes\"")) << all_notes(examine(titled));
+  only.layers = {"parts", "holes"};
+  expect_totals(examine(titled, only), 400 - 9 * 3.14159265, 1, 1, 0.2);
   DxfText plate;
   plate.box({0, 0}, {20, 20}, "outer").circle({10, 10}, 3, "inner");
-  EXPECT_FALSE(tells(examine(plate), "quadrilateral")) << "a plate with a hole";
+  EXPECT_FALSE(tells(examine(plate), "encloses all others")) << "a plate with a hole";
 }
 
 TEST(ImportNotes, FillingsApartFromAllLinesAreShapes) {
