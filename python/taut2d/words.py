@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Literal
 
-__all__ = ["AtRest", "CellState", "ContactAt", "Engine", "EngineName", "FaceKind", "Faults", "FillRule", "Grouping", "LengthUnit",
-           "OpenLines", "OutcomeWord", "Pairs", "QuestionOutcome", "RangeOutcome", "RepairKind", "SeparationOutcome",
-           "Side", "SimulationState", "Touch", "VerifiedOutcome"]
+__all__ = ["AtRest", "CellState", "ContactAt", "Engine", "EngineName", "FaceKind", "Faults", "FillRule", "Grouping",
+           "LengthUnit", "OpenLines", "OutcomeWord", "Pairs", "QuestionOutcome", "RangeOutcome", "RepairKind",
+           "SeparationOutcome", "Side", "SimulationState", "Touch", "VerifiedOutcome"]
 
 # What functions take.
 Touch = Literal["open", "closed"]

@@ -69,3 +69,16 @@ def test_drills_and_overlaps(tmp_path):
     squares.write_text("POLYGON((0 0,4 0,4 4,0 4)) POLYGON((2 2,5 2,5 5,2 5))")
     body = taut2d.read_drawing(squares).bodies[0]
     assert (body.area, body.overlap) == (21, 4)
+
+
+def test_files_of_several_units_are_converted(tmp_path):
+    page = '<svg width="{}" viewBox="0 0 10 10"><rect width="2" height="1"/></svg>'
+    (tmp_path / "mm.svg").write_text(page.format("10mm"))
+    (tmp_path / "none.svg").write_text(page.format("10"))
+    both = [tmp_path / "mm.svg", tmp_path / "none.svg"]
+    with pytest.raises(taut2d.InputError, match="states no unit"):
+        taut2d.read_drawing(both)
+    drawing = taut2d.read_drawing(both, unit="cm")
+    assert [round(body.area, 9) for body in drawing.bodies] == [2.0, 200.0]
+    with pytest.raises(taut2d.InputError):
+        taut2d.read_drawing(both, unit="inch")

@@ -11,7 +11,7 @@ using drawing::Affine;
 using drawing::Import;
 using testing::examine;
 
-void expect_same(const std::string& css, const std::string& attribute) {
+void expect_same_transform(const std::string& css, const std::string& attribute) {
   const auto a = drawing::transform_of(css), b = drawing::transform_of(attribute);
   ASSERT_TRUE(a && b) << css;
   for (const auto member : {&Affine::a, &Affine::b, &Affine::c, &Affine::d, &Affine::e, &Affine::f})
@@ -19,34 +19,34 @@ void expect_same(const std::string& css, const std::string& attribute) {
 }
 
 TEST(ImportSvgTransform, StylesWriteUnits) {
-  expect_same("rotate(90deg)", "rotate(90)");
-  expect_same("rotate(0.25turn) rotate(-100grad)", "rotate(0)");
-  expect_same("rotate(1.5707963267948966rad)", "rotate(90)");
-  expect_same("translate(10px, 1in)", "translate(10 96)");
-  expect_same("translateX(4px) translateY(25.4mm)", "translate(4 96)");
-  expect_same("scale(2) scaleX(3) scaleY(50%)", "scale(6,1)");
-  expect_same("skew(30deg)", "skewX(30)");
-  expect_same("skew(0, 30deg) SKEWX(10deg)", "skewY(30) skewX(10)");
-  expect_same("matrix(1, 2, 3, 4, 5, 6)", "matrix(1 2 3 4 5 6)");
+  expect_same_transform("rotate(90deg)", "rotate(90)");
+  expect_same_transform("rotate(0.25turn) rotate(-100grad)", "rotate(0)");
+  expect_same_transform("rotate(1.5707963267948966rad)", "rotate(90)");
+  expect_same_transform("translate(10px, 1in)", "translate(10 96)");
+  expect_same_transform("translateX(4px) translateY(25.4mm)", "translate(4 96)");
+  expect_same_transform("scale(2) scaleX(3) scaleY(50%)", "scale(6,1)");
+  expect_same_transform("skew(30deg)", "skewX(30)");
+  expect_same_transform("skew(0, 30deg) SKEWX(10deg)", "skewY(30) skewX(10)");
+  expect_same_transform("matrix(1, 2, 3, 4, 5, 6)", "matrix(1 2 3 4 5 6)");
   for (const char* other : {"rotate3d(1,0,0,9deg)", "translate(50%)", "scale(2", "rotate()", "matrix(1 2 3)",
                             "scale(1px)", "rotate(1 2)", "turn(3)", "translate(1 2 3)", "perspective(3px)"})
     EXPECT_FALSE(drawing::transform_of(other)) << other;
 }
 
 /// The box around what is drawn, in the drawing's own direction of y.
-struct Box {
+struct DrawnBox {
   double lo_x, lo_y, hi_x, hi_y;
 };
 
-Box box_of_svg(const std::string& body) {
+DrawnBox box_of_svg(const std::string& body) {
   const Import import = examine("<svg viewBox='0 0 200 100'>" + body + "</svg>", "d.svg");
   EXPECT_TRUE(import.faults.empty()) << body << ": " << (import.faults.empty() ? "" : import.faults[0].what());
   if (import.bodies.size() != 1) return {0, 0, 0, 0};
   return {import.bodies[0].low.x, -import.bodies[0].high.y, import.bodies[0].high.x, -import.bodies[0].low.y};
 }
 
-void expect_box(const std::string& body, const Box& wanted) {
-  const Box box = box_of_svg(body);
+void expect_box(const std::string& body, const DrawnBox& wanted) {
+  const DrawnBox box = box_of_svg(body);
   EXPECT_NEAR(box.lo_x, wanted.lo_x, 1e-9) << body;
   EXPECT_NEAR(box.lo_y, wanted.lo_y, 1e-9) << body;
   EXPECT_NEAR(box.hi_x, wanted.hi_x, 1e-9) << body;
