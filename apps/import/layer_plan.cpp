@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <numeric>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -46,6 +47,29 @@ bool run_along(const LayerSegment& s, const LayerSegment& t, double width, doubl
   return std::fabs(height(lo)) <= width && std::fabs(height(hi)) <= width;
 }
 
+/// A direction in which lines of one of two sets leave a point where they touch.
+struct Ray {
+  Point from, to;
+  std::size_t set;
+};
+
+/// Do lines of the two sets change sides with each other around their point? So they do where one passes between two
+/// of the other's; where they only touch, all of one lie between two neighbours of the other. Lines that leave along
+/// each other, at most `width` apart, have no order: run_along() finds them.
+bool change_sides(std::vector<Ray> rays, double width) {
+  const auto angle = [](const Ray& ray) { return std::atan2(ray.to.y - ray.from.y, ray.to.x - ray.from.x); };
+  std::sort(rays.begin(), rays.end(), [&](const Ray& a, const Ray& b) { return angle(a) < angle(b); });
+  std::size_t changes = 0;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    const Ray &a = rays[i], &b = rays[(i + 1) % rays.size()];
+    if (a.set == b.set) continue;
+    if (distance_to_segment(a.to, b.from, b.to) <= width || distance_to_segment(b.to, a.from, a.to) <= width)
+      return false;
+    ++changes;
+  }
+  return changes > 2;
+}
+
 class Planner {
  public:
   Planner(const std::vector<LineLayer>& layers, const OutlineSettings& settings)
@@ -74,7 +98,7 @@ class Planner {
         if (set_[k] == root) plan.sets.back().push_back(k);
     }
     for (const auto& [pair, where] : where_)
-      plan.conflicts.push_back({index.at(pair.first), index.at(pair.second), where.at, where.along});
+      plan.conflicts.push_back({index.at(pair.first), index.at(pair.second), where.at, where.kind});
     return plan;
   }
 
@@ -159,23 +183,71 @@ class Planner {
 
   struct Where {
     Point at;
-    bool along;
+    LayerConflict::Kind kind;
   };
 
   void find_conflicts() {
     const std::vector<LayerSegment> segments = segments_near_others();
+    std::map<std::pair<std::size_t, std::size_t>, std::vector<Ray>> touches;
     SegmentStrips(boxes_of(segments)).each_pair([&](std::size_t i, std::size_t j) {
       const LayerSegment &s = segments[i], &t = segments[j];
       const std::size_t a = std::min(set_[s.layer], set_[t.layer]), b = std::max(set_[s.layer], set_[t.layer]);
       if (a == b) return;
       const auto known = where_.find({a, b});
-      if (known != where_.end() && !known->second.along) return;
+      if (known != where_.end() && known->second.kind == LayerConflict::Kind::cross) return;
       const bool cross = cross_clearly(s, t, settings_.join);
+      if (!cross) find_touches(s, t, touches[{a, b}]);
       if (!cross && (known != where_.end() || !run_along(s, t, settings_.join / 2, settings_.join))) return;
-      where_[{a, b}] = {middle_of_common_box(s, t), !cross};
+      where_[{a, b}] = {middle_of_common_box(s, t), cross ? LayerConflict::Kind::cross : LayerConflict::Kind::along};
       apart_.insert(a);
       apart_.insert(b);
     });
+    for (auto& [pair, rays] : touches) {
+      const auto known = where_.find(pair);
+      if (known != where_.end() && known->second.kind == LayerConflict::Kind::cross) continue;
+      const std::optional<Where> at_ends = conflict_at_ends(std::move(rays));
+      if (!at_ends || (known != where_.end() && at_ends->kind == LayerConflict::Kind::touch)) continue;
+      where_[pair] = *at_ends;
+      apart_.insert(pair.first);
+      apart_.insert(pair.second);
+    }
+  }
+
+  /// Where an end of one of the segments lies on the other one: the directions of both from there.
+  void find_touches(const LayerSegment& s, const LayerSegment& t, std::vector<Ray>& rays) const {
+    const auto leave = [&](const LayerSegment& segment, const Point& p) {
+      for (const Point& end : {segment.a, segment.b})
+        if (std::hypot(end.x - p.x, end.y - p.y) > settings_.join) rays.push_back({p, end, set_[segment.layer]});
+    };
+    for (const auto& [one, other] : {std::pair(&s, &t), std::pair(&t, &s)}) {
+      for (const Point& end : {one->a, one->b}) {
+        if (distance_to(*other, end) > settings_.join) continue;
+        leave(*one, end);
+        leave(*other, end);
+      }
+    }
+  }
+
+  /// Where lines change sides although no segment reaches beyond another one on both sides; or else the second point at
+  /// which they touch.
+  std::optional<Where> conflict_at_ends(std::vector<Ray> rays) const {
+    std::sort(rays.begin(), rays.end(),
+              [](const Ray& a, const Ray& b) { return std::pair(a.from.x, a.from.y) < std::pair(b.from.x, b.from.y); });
+    std::vector<bool> taken(rays.size(), false);
+    std::vector<Point> points;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      if (taken[i]) continue;
+      std::vector<Ray> here;
+      for (std::size_t j = i; j < rays.size() && rays[j].from.x - rays[i].from.x <= settings_.join; ++j) {
+        if (taken[j] || std::fabs(rays[j].from.y - rays[i].from.y) > settings_.join) continue;
+        taken[j] = true;
+        here.push_back(rays[j]);
+      }
+      if (change_sides(std::move(here), settings_.join / 2)) return Where{rays[i].from, LayerConflict::Kind::cross};
+      points.push_back(rays[i].from);
+    }
+    if (points.size() < 2) return std::nullopt;
+    return Where{points[1], LayerConflict::Kind::touch};
   }
 
   static Point middle_of_common_box(const LayerSegment& s, const LayerSegment& t) {

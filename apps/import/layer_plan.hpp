@@ -15,11 +15,12 @@ struct LineLayer {
   std::string name = {};  ///< of what they are, within the layer
 };
 
-/// Two layers whose lines cross, or run along each other.
+/// Two layers whose lines cross, or run along each other, or touch at several points.
 struct LayerConflict {
+  enum class Kind { cross, along, touch };
   std::size_t first = 0, second = 0;  ///< indices of the sets
   Point at;
-  bool along = false;  ///< they share a part of a line, and do not cross
+  Kind kind = Kind::cross;  ///< the first that holds
 };
 
 struct LayerPlan {
@@ -30,7 +31,8 @@ struct LayerPlan {
 
 /// Layers that have parts of one outline are read together: an end of a line in one of them meets a line of another
 /// one. Then all layers are, so that contours of one are holes in what another one encloses. But layers that cross each
-/// other, or share a part of a line, each close by themselves: they are different bodies, and read apart.
+/// other, share a part of a line, or touch at several points, each close by themselves: they are different bodies, and
+/// read apart. Together, one would divide what the other one encloses.
 LayerPlan plan_layers(const std::vector<LineLayer>& layers, const OutlineSettings& settings);
 
 /// Lines of the common set that lie in material of one of the layers read apart are holes in it: they are read with it,

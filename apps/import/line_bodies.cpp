@@ -172,20 +172,24 @@ void BodyMaker::note_conflicts(const Drawing& drawing, const std::vector<LineLay
   const auto name = [&](std::size_t set) {
     return io::excerpt(drawing.layers[lines[plan.sets[set].front()].layer].name);
   };
-  for (const bool along : {false, true}) {
+  using Kind = LayerConflict::Kind;
+  for (const Kind kind : {Kind::cross, Kind::along, Kind::touch}) {
     std::size_t count = 0;
     const LayerConflict* first = nullptr;
     for (const LayerConflict& conflict : plan.conflicts)
-      if (conflict.along == along && count++ == 0) first = &conflict;
+      if (conflict.kind == kind && count++ == 0) first = &conflict;
     if (!first) continue;
     const std::string others =
         count > 1 ? fmt::format(", and {} do", counted_text(count - 1, "other pair", "other pairs")) : "";
     file_.notes.push_back(
-        along ? fmt::format("layers {} and {} share a part of a line near {}{}: each layer is read by itself "
-                            "(--merge-layers reads them as one)",
-                            name(first->first), name(first->second), point_text(first->at), others)
-              : fmt::format("layers {} and {} cross near {}{}: layers that cross are different bodies",
-                            name(first->first), name(first->second), point_text(first->at), others));
+        kind == Kind::cross
+            ? fmt::format("layers {} and {} cross near {}{}: layers that cross are different bodies",
+                          name(first->first), name(first->second), point_text(first->at), others)
+            : fmt::format(
+                  "layers {} and {} {} near {}{}: each layer is read by itself (--merge-layers reads them as one)",
+                  name(first->first), name(first->second),
+                  kind == Kind::along ? "share a part of a line" : "touch at several points, one of them",
+                  point_text(first->at), others));
   }
 }
 
@@ -227,10 +231,12 @@ void BodyMaker::require_clear_nesting(const Drawing& drawing, const std::vector<
       };
       return fail(
           inner.place,
-          fmt::format("the layer \"{}\" has an outline (area {:.6g}) within layer \"{}\" (area {:.6g}), and one of the "
-                      "two crosses another layer or shares a line with it: is it a hole or a body?",
-                      io::excerpt(drawing.layers[inner.layer].name), area(inner),
-                      io::excerpt(drawing.layers[outer.layer].name), area(outer)),
+          fmt::format(
+              "the layer \"{}\" has an outline (area {:.6g}) within layer \"{}\" (area {:.6g}), and one of the "
+              "two crosses another layer, shares a line with it, or touches it at several points: is it a hole or "
+              "a body?",
+              io::excerpt(drawing.layers[inner.layer].name), area(inner), io::excerpt(drawing.layers[outer.layer].name),
+              area(outer)),
           "say --by layer, if each layer is a body, or --merge-layers, if all of them are lines to cut");
     }
   }
