@@ -45,6 +45,8 @@ class BodyMaker {
   void note_conflicts(const Drawing& drawing, const std::vector<LineLayer>& lines, const LayerPlan& plan);
   void cut_out(Layer& layer, std::vector<Named>& parts);
   void require_clear_nesting(const Drawing& drawing, const std::vector<Piece>& pieces);
+  bool encloses(const Piece& outer, const Piece& inner) const;
+  void fail_nesting(const Drawing& drawing, const Piece& inner, const Piece& outer);
   void require_nothing_lost(const Drawing& drawing);
   void read_sheet(const Layer& layer, Sheet& sheet, std::vector<Named>& parts);
   void read_parts(const Layer& layer, Sheet& sheet, std::vector<Named>& parts);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "geometry/segment_strips.hpp"
 #include "import/bodies.hpp"
 #include "import/body_text.hpp"
 #include "import/layer_plan.hpp"
@@ -219,27 +220,39 @@ void BodyMaker::note_border(const Drawing& drawing, const std::vector<Piece>& pi
 
 /// A piece within material of a layer that is read apart could be a hole in it, or a body on it.
 void BodyMaker::require_clear_nesting(const Drawing& drawing, const std::vector<Piece>& pieces) {
-  for (const Piece& inner : pieces) {
-    const Polygon& ring = inner.region.part.outline;
-    for (const Piece& outer : pieces) {
-      if (inner.set == outer.set || !lies_within(ring, outer.region.part.outline, file_.fineness.join)) continue;
-      if (!roughly_inside(outer.region.part, inner_point(inner.region.part))) continue;
-      const auto area = [](const Piece& piece) {
-        double twice = doubled_area(piece.region.part.outline);
-        for (const Polygon& hole : piece.region.part.holes) twice -= std::fabs(doubled_area(hole));
-        return twice / 2;
-      };
-      return fail(
-          inner.place,
-          fmt::format(
-              "the layer \"{}\" has an outline (area {:.6g}) within layer \"{}\" (area {:.6g}), and one of the "
-              "two crosses another layer, shares a line with it, or touches it at several points: is it a hole or "
-              "a body?",
-              io::excerpt(drawing.layers[inner.layer].name), area(inner), io::excerpt(drawing.layers[outer.layer].name),
-              area(outer)),
-          "say --by layer, if each layer is a body, or --merge-layers, if all of them are lines to cut");
-    }
+  std::vector<SegmentBox> boxes;
+  for (const Piece& piece : pieces) boxes.emplace_back(box_of(piece.region.part.outline));
+  const SegmentStrips strips(boxes);
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const Piece& inner = pieces[i];
+    std::size_t first = pieces.size();
+    const SegmentBox wide({boxes[i].lo_x, boxes[i].lo_y}, {boxes[i].hi_x, boxes[i].hi_y}, file_.fineness.join);
+    strips.each_near(wide, [&](std::size_t k) {
+      if (k < first && encloses(pieces[k], inner)) first = k;
+    });
+    if (first < pieces.size()) return fail_nesting(drawing, inner, pieces[first]);
   }
+}
+
+bool BodyMaker::encloses(const Piece& outer, const Piece& inner) const {
+  return inner.set != outer.set &&
+         lies_within(inner.region.part.outline, outer.region.part.outline, file_.fineness.join) &&
+         roughly_inside(outer.region.part, inner_point(inner.region.part));
+}
+
+void BodyMaker::fail_nesting(const Drawing& drawing, const Piece& inner, const Piece& outer) {
+  const auto area = [](const Piece& piece) {
+    double twice = doubled_area(piece.region.part.outline);
+    for (const Polygon& hole : piece.region.part.holes) twice -= std::fabs(doubled_area(hole));
+    return twice / 2;
+  };
+  fail(inner.place,
+       fmt::format("the layer \"{}\" has an outline (area {:.6g}) within layer \"{}\" (area {:.6g}), and one of the "
+                   "two crosses another layer, shares a line with it, or touches it at several points: is it a hole or "
+                   "a body?",
+                   io::excerpt(drawing.layers[inner.layer].name), area(inner),
+                   io::excerpt(drawing.layers[outer.layer].name), area(outer)),
+       "say --by layer, if each layer is a body, or --merge-layers, if all of them are lines to cut");
 }
 
 void BodyMaker::take_report(const Outlines& outlines, const std::vector<Chain>& chains,
