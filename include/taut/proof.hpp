@@ -12,10 +12,12 @@
 namespace taut {
 
 /// Answers as check() does, and writes a proof log for `free` and `contact`, and for what an `undecided` run has
-/// proved; nothing useful for `overlap_at_start`.
+/// proved; nothing useful for `overlap_at_start`. The time up to which an `undecided` answer is free is the one that
+/// verify() finds in the log.
 ///
-/// By the kinetic engine (EngineChoice::kinetic and EngineChoice::both, for two bodies of one polygon each), the log is
-/// of a tiling, written event by event, so that memory does not grow with it: docs/proof-format.md. By the spacetime
+/// By the kinetic engine (EngineChoice::kinetic, for two bodies of one polygon each), the log is of a tiling, written
+/// event by event, so that memory does not grow with it: docs/proof-format.md. With EngineChoice::both it is the same
+/// log, kept in memory until the end; if only the other engine decides, it is that engine's. By the spacetime
 /// engine, and for any other scene, it is of separations, written when it is complete; where none was found, the answer
 /// is `undecided`, and says so: docs/separation-logs.md. Of a scene with curves it is polygons around the bodies, and,
 /// for a contact, within them, and such logs about these; where they were not shown to lie there, the answer is

@@ -39,6 +39,7 @@ void ProofWriter::on_event(const KineticSolver& solver, const EngineEvent& event
   }
   out_.f64(at);
   out_.u32(event.corner.value);
+  last_event_ = at;
   if (trace_) trace_->on_event(solver, event);
 }
 
@@ -56,22 +57,33 @@ double ProofWriter::about(const PairGeometry& geometry, const EngineEvent& event
   return lo + (hi - lo) / 2;
 }
 
-void ProofWriter::end(const Answer& answer) {
-  if (!started_) return;
+double ProofWriter::end(const Answer& answer) {
+  if (!started_) return scene_.start;
+  double proved = answer.free_until;
   if (answer.outcome == Outcome::free) kind(Record::free);
-  if (answer.outcome == Outcome::undecided) free_until(answer.free_until);
+  if (answer.outcome == Outcome::undecided) proved = free_until(answer.free_until);
   out_.close();
+  return proved;
 }
 
-/// On the first segment that reaches this time, unless events have gone further.
-void ProofWriter::free_until(double t) {
+/// On the first segment that reaches this time, unless events have gone further. A verifier encloses the last event by
+/// itself. Where the time is too near to it, the log claims an earlier one, before both enclosures.
+double ProofWriter::free_until(double t) {
   to_segment(std::max(segment_, std::min(segments_.first_until(t), segments_.size() - 1)));
+  const SegmentPlace place = segments_.place(segment_);
+  double until = place.bridge ? 0.0 : std::max(t, place.start);
+  const double near = 2 * proof::nearness(place.start, place.end);
+  if (last_event_ && until <= *last_event_ + near) until = std::max(place.start, std::min(until, *last_event_ - near));
   kind(Record::free_until);
-  out_.f64(segments_.place(segment_).bridge ? 0.0 : t);
+  out_.f64(until);
+  return place.bridge ? t : until;
 }
 
 void ProofWriter::to_segment(std::size_t segment) {
-  for (; segment_ < segment; ++segment_) kind(Record::next_segment);
+  for (; segment_ < segment; ++segment_) {
+    kind(Record::next_segment);
+    last_event_.reset();
+  }
 }
 
 void ProofWriter::header(Shapes shapes) {
@@ -105,8 +117,10 @@ Answer prove_by_tiling(const Scene& scene, std::ostream& log, const CheckOptions
   ProofWriter writer(scene, options.touch, log, options.tracer);
   Run run(scene, options, &writer);
   run.run();
-  writer.end(run.answer());
-  return run.answer_with_touching();
+  const double proved = writer.end(run.answer());
+  Answer answer = run.answer_with_touching();
+  if (answer.outcome == Outcome::undecided) answer.free_until = proved;
+  return answer;
 }
 
 }  // namespace taut::internal

@@ -21,8 +21,9 @@ class ProofWriter final : public KineticObserver {
 
   void started(const KineticSolver& solver) override;
   void on_event(const KineticSolver& solver, const EngineEvent& event) override;
-  /// Called once, with the answer of the run.
-  void end(const Answer& answer);
+  /// Called once, with the answer of the run. Returns up to when the log proves that nothing happens, if the answer is
+  /// undecided.
+  double end(const Answer& answer);
 
  private:
   void kind(proof::Record r) { out_.u8(static_cast<std::uint8_t>(r)); }
@@ -30,7 +31,7 @@ class ProofWriter final : public KineticObserver {
   void header(proof::Shapes shapes);
   void tiling(const PlanarMap& map);
   void contact_at_start(const KineticSolver& solver);
-  void free_until(double t);
+  double free_until(double t);
   static double about(const PairGeometry& geometry, const EngineEvent& event);
 
   const Scene& scene_;
@@ -38,8 +39,9 @@ class ProofWriter final : public KineticObserver {
   proof::ByteWriter out_;
   std::optional<TraceWriter> trace_;
   std::size_t segment_ = 0;
-  MotionSegments segments_;  ///< of the observed pair
-  bool started_ = false;     ///< is there a header?
+  std::optional<double> last_event_;  ///< on this segment
+  MotionSegments segments_;           ///< of the observed pair
+  bool started_ = false;              ///< is there a header?
 };
 
 /// Proves the answer by the kinetic data structure, with a log of a tiling. Requires two bodies of one polygon each.

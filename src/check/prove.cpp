@@ -1,4 +1,6 @@
 // Chooses the engine and the kind of log for an answer with a proof.
+#include <sstream>
+
 #include "base/budget.hpp"
 #include "base/errors.hpp"
 #include "check/proof_writer.hpp"
@@ -11,6 +13,28 @@
 
 namespace taut {
 using namespace internal;
+namespace {
+
+/// The log is that of the engine which says more, and a tiling if both say the same. Which one it is becomes known at
+/// the end, so the log of the tiling is kept until then.
+Answer prove_by_both(const Scene& scene, std::ostream& log, const CheckOptions& options) {
+  std::ostringstream tilings;
+  const Answer by_tiling = prove_by_tiling(scene, tilings, options);
+  CheckOptions boxes = options;
+  boxes.engine = EngineChoice::spacetime;
+  Run run(scene, boxes);
+  run.run();
+  const Answer answer = agreed(by_tiling, run.answer_with_touching());
+  const bool more = run.answer().outcome != Outcome::undecided || run.answer().free_until > by_tiling.free_until;
+  if (by_tiling.outcome != Outcome::undecided || !more) {
+    log << tilings.str();
+    return answer;
+  }
+  const Answer proved = prove_by_separations(run, scene, log, boxes);
+  return proved.outcome == Outcome::undecided ? proved : answer;
+}
+
+}  // namespace
 
 Answer prove(const Scene& scene, std::ostream& log, const CheckOptions& given) {
   CheckOptions options = given;
@@ -30,11 +54,8 @@ Answer prove(const Scene& scene, std::ostream& log, const CheckOptions& given) {
   switch (options.engine) {
     case EngineChoice::kinetic:
       return prove_by_tiling(scene, log, options);
-    case EngineChoice::both: {
-      CheckOptions boxes = options;
-      boxes.engine = EngineChoice::spacetime;
-      return agreed(prove_by_tiling(scene, log, options), run_engines(scene, boxes));
-    }
+    case EngineChoice::both:
+      return prove_by_both(scene, log, options);
     default: {
       Run run(scene, options);
       run.run();

@@ -93,16 +93,28 @@ void write_curves_log(std::ostream& log, const Scene& scene, Touch touch, const 
   out.close();
 }
 
+/// Up to when this log proves that nothing happens. The instant of a contact is what the verifier finds, which may be
+/// earlier by some units in the last place.
+double proved_until(const Scene& polygons, const std::string& log) {
+  std::istringstream in(log);
+  return verify(polygons, in).free_until;
+}
+
 /// Writes the log of an answer: polygons around the bodies and, if there is a contact, polygons within. Returns the
-/// reason if there is no log, else an empty string.
-std::string prove_sides(const Scene& scene, const CurvedWorld& world, bool meeting, Touch touch,
+/// reason if there is no log, else an empty string. An undecided answer becomes what the log proves.
+template <class AnyAnswer>
+std::string prove_sides(const Scene& scene, const CurvedWorld& world, AnyAnswer& answer, Touch touch,
                         const ProvePolygons& prove, std::ostream& log) {
   try {
     CurvesProver prover(scene, world, prove);
     std::vector<Side> sides{prover.side(CurveSide::outer)};
-    if (meeting) sides.push_back(prover.side(CurveSide::inner));
+    if (answer.outcome == Outcome::contact) sides.push_back(prover.side(CurveSide::inner));
+    if (answer.outcome == Outcome::undecided)
+      answer.free_until = proved_until(world.polygons(CurveSide::outer), sides[0].log);
     write_curves_log(log, scene, touch, sides);
     return {};
+  } catch (const ProofError& error) {
+    return error.what();
   } catch (const NotProved& trouble) {
     return trouble.reason;
   } catch (const Interrupted& limit) {
@@ -127,12 +139,11 @@ std::string unfinished(const AnyAnswer& answer, const std::string& why) {
 Answer prove_curves(const Scene& scene, std::ostream& log, const CheckOptions& given) {
   CheckOptions options = given;
   options.all_pairs = false;
-  const CurvedContact found = first_contact_of_curves(scene, options);
+  CurvedContact found = first_contact_of_curves(scene, options);
   if (!is_worth_a_log(found.answer, scene)) return found.answer;
   options.tell_touching = false;
-  const bool meeting = found.answer.outcome == Outcome::contact;
   const std::string trouble = prove_sides(
-      scene, found.world, meeting, options.touch,
+      scene, found.world, found.answer, options.touch,
       [&](const Scene& flat, std::ostream& out) { return prove(flat, out, options).reason; }, log);
   if (trouble.empty()) return found.answer;
   Answer undecided;
@@ -148,11 +159,10 @@ MarginAnswer prove_clearance_of_curves(const Scene& scene, double clearance, std
                                        const CheckOptions& given) {
   CheckOptions options = given;
   options.all_pairs = false;
-  const CurvedMargin found = margin_of_curves(scene, clearance, options);
+  CurvedMargin found = margin_of_curves(scene, clearance, options);
   if (!is_worth_a_log(found.answer, scene)) return found.answer;
-  const bool meeting = found.answer.outcome == Outcome::contact;
   const std::string trouble = prove_sides(
-      scene, found.world, meeting, options.touch,
+      scene, found.world, found.answer, options.touch,
       [&](const Scene& flat, std::ostream& out) { return prove_clearance(flat, clearance, out, options).reason; }, log);
   if (trouble.empty()) return found.answer;
   MarginAnswer undecided;

@@ -20,14 +20,18 @@ namespace taut {
 using namespace internal;
 namespace {
 
-/// Writes the whole log: the header, the clearance if there is one, and the body.
-void write_log(std::ostream& log, const Scene& scene, Touch touch, const SeparationsBody& body, double clearance = 0) {
-  const std::uint8_t kind = static_cast<std::uint8_t>(body.claim) | (clearance > 0 ? proof::with_clearance : 0);
+/// Writes the whole log, if there is one: the header, the clearance if there is one, and the body. Returns up to when
+/// it proves that nothing happens.
+std::optional<double> write_log(std::ostream& log, const Scene& scene, Touch touch,
+                                const std::optional<SeparationsBody>& body, double clearance = 0) {
+  if (!body) return std::nullopt;
+  const std::uint8_t kind = static_cast<std::uint8_t>(body->claim) | (clearance > 0 ? proof::with_clearance : 0);
   proof::ByteWriter out(log);
   proof::write_header(out, {proof::of_separations, scene_fingerprint(scene, touch), touch, kind});
   if (clearance > 0) out.f64(clearance);
-  for (const char c : body.bytes) out.u8(static_cast<std::uint8_t>(c));
+  for (const char c : body->bytes) out.u8(static_cast<std::uint8_t>(c));
   out.close();
+  return body->free_until;
 }
 
 /// The result of the pair that the answer names.
@@ -38,11 +42,17 @@ const PairResult* earliest(const Answer& answer, const std::vector<PairResult>& 
   return found == results.end() ? nullptr : &*found;
 }
 
-/// Returns the answer if `write()` proves it, else an answer that is undecided from the start.
+/// Returns the answer as far as `write()` proves it, which returns up to when nothing happens: none if there is no log.
+/// Returns an answer that is undecided from the start if the log is not finished.
 template <class AnyAnswer, class Write>
-AnyAnswer if_proved(const AnyAnswer& answer, double start, const Write& write) {
-  const std::string stopped = what_stops(write);
-  if (stopped.empty()) return answer;
+AnyAnswer as_proved(const AnyAnswer& answer, double start, const Write& write) {
+  std::optional<double> until;
+  const std::string stopped = what_stops([&] { until = write(); });
+  if (stopped.empty()) {
+    AnyAnswer proved = answer;
+    if (answer.outcome == Outcome::undecided) proved.free_until = until.value_or(start);
+    return proved;
+  }
   AnyAnswer undecided;
   if constexpr (std::is_same_v<AnyAnswer, Answer>) undecided.engine = answer.engine;
   undecided.outcome = Outcome::undecided;
@@ -106,9 +116,8 @@ Answer prove_by_separations(const Scene& scene, std::ostream& log, const CheckOp
 Answer prove_by_separations(const Run& run, const Scene& scene, std::ostream& log, const CheckOptions& options) {
   const Answer answer = run.answer_with_touching();
   if (!run.search()) return answer;
-  return if_proved(answer, scene.start, [&] {
-    if (const auto body = body_of_log(run, proof::VerifierScene(scene), answer, options.touch))
-      write_log(log, scene, options.touch, *body);
+  return as_proved(answer, scene.start, [&] {
+    return write_log(log, scene, options.touch, body_of_log(run, proof::VerifierScene(scene), answer, options.touch));
   });
 }
 
@@ -142,9 +151,9 @@ MarginAnswer prove_clearance(const Scene& scene, double clearance, std::ostream&
   CheckOptions options = given;
   options.all_pairs = false;
   const MarginAnswer answer = check_clearance(scene, clearance, options);
-  return if_proved(answer, scene.start, [&] {
-    if (const auto body = body_about_clearance(scene, answer, clearance, options.touch))
-      write_log(log, scene, options.touch, *body, clearance);
+  return as_proved(answer, scene.start, [&] {
+    return write_log(log, scene, options.touch, body_about_clearance(scene, answer, clearance, options.touch),
+                     clearance);
   });
 }
 

@@ -99,13 +99,13 @@ constexpr int most_steps = 30;
 
 SeparationsBody SeparationsWriter::free() {
   all_windows(scene_.end());
-  return {Claim::free, std::move(out_)};
+  return {Claim::free, std::move(out_), scene_.end()};
 }
 
 SeparationsBody SeparationsWriter::free_until(double until) {
   put_f64(out_, until);
   all_windows(until);
-  return {Claim::free_until, std::move(out_)};
+  return {Claim::free_until, std::move(out_), until};
 }
 
 SeparationsBody SeparationsWriter::touching(const PairResult& result) {
@@ -115,7 +115,7 @@ SeparationsBody SeparationsWriter::touching(const PairResult& result) {
   put_u32(out_, crossing ? e.value : inside.value);
   put_u32(out_, crossing ? f.value : inside.value);
   all_windows(scene_.start());
-  return {Claim::touching, std::move(out_)};
+  return {Claim::touching, std::move(out_), scene_.start()};
 }
 
 SeparationsBody SeparationsWriter::close_at_start(const std::array<BodyId, 2>& bodies, const CloseFeatures& features) {
@@ -125,7 +125,7 @@ SeparationsBody SeparationsWriter::close_at_start(const std::array<BodyId, 2>& b
   put_u32(out_, (features.edge ? id_of_edge(pair, *features.edge) : id_of(pair, *features.other)).value);
   out_.push_back(features.edge ? 1 : 0);
   all_windows(scene_.start());
-  return {Claim::touching, std::move(out_)};
+  return {Claim::touching, std::move(out_), scene_.start()};
 }
 
 SeparationsBody SeparationsWriter::closer(const std::array<BodyId, 2>& bodies, const CloseFeatures& features,
@@ -142,7 +142,7 @@ SeparationsBody SeparationsWriter::closer(const std::array<BodyId, 2>& bodies, c
   for (const double part : at) put_f64(out_, part);
   put_f64(out_, time.lo);
   all_windows(time.lo);
-  return {Claim::contact, std::move(out_)};
+  return {Claim::contact, std::move(out_), time.lo};
 }
 
 SeparationsBody SeparationsWriter::contact(const PairResult& result, double until) {
@@ -168,7 +168,7 @@ SeparationsBody SeparationsWriter::contact(const PairResult& result, double unti
   way.push_back({result.segment, segment.start, end});
   section(pair, way, now);
   all_windows(until);
-  return {fine ? Claim::fine_contact : Claim::contact, std::move(out_)};
+  return {fine ? Claim::fine_contact : Claim::contact, std::move(out_), until};
 }
 
 void SeparationsWriter::put_pair(const PairResult& result) {

@@ -19,6 +19,7 @@ namespace taut::internal {
 struct SeparationsBody {
   proof::Claim claim;
   std::string bytes;
+  double free_until;  ///< up to when the windows of the log prove that nothing meets
 };
 
 /// Writes one log. The answer states that bodies are disjoint. This class finds the reasons in the terms of a verifier:

@@ -11,7 +11,7 @@ SpacetimeSolver by_spacetime(const Instance& world, int a, int b, Offset offset)
   return {PairInstance(world, std::min(a, b), std::max(a, b), offset), offset, world.start(), world.end()};
 }
 
-/// Runs both engines to the end, to compare them.
+/// Runs both engines to the end, to compare them. The result is the kinetic one, unless only the other one is decided.
 class CrossCheckSolver final : public PairSolver {
  public:
   CrossCheckSolver(const Instance& world, int a, int b, Offset offset, EventBudget& budget, KineticObserver* observer)
@@ -26,13 +26,20 @@ class CrossCheckSolver final : public PairSolver {
     spacetime_.ask(from, to);
     return true;
   }
-  const PairResult& result() const override { return kinetic_.result(); }
-  std::optional<ContactInstant> instant() const override { return kinetic_.instant(); }
-  const PairResult* other() const override { return &spacetime_.result(); }
+  const PairResult& result() const override { return (by_spacetime_alone() ? spacetime_ : kinetic()).result(); }
+  std::optional<ContactInstant> instant() const override {
+    return (by_spacetime_alone() ? spacetime_ : kinetic()).instant();
+  }
+  const PairResult* other() const override { return &(by_spacetime_alone() ? kinetic() : spacetime_).result(); }
   StageCounts stages() const override { return kinetic_.stages() += spacetime_.stages(); }
   KineticCounts counts() const override { return kinetic_.counts(); }
 
  private:
+  const PairSolver& kinetic() const { return kinetic_; }
+  bool by_spacetime_alone() const {
+    return kinetic_.result().outcome == Outcome::undecided && spacetime_.result().outcome != Outcome::undecided;
+  }
+
   KineticSolver kinetic_;
   SpacetimeSolver spacetime_;
 };

@@ -16,7 +16,7 @@ void expect_valid(const Scene& scene, const Answer& answer, const std::string& l
   std::istringstream in(log);
   const Verified verified = verify(scene, in);
   EXPECT_EQ(verified.outcome, Outcome::undecided);
-  EXPECT_LE(verified.free_until, answer.free_until);
+  EXPECT_EQ(verified.free_until, answer.free_until);
 }
 
 // The clock may end a run in the middle of an event's record, whose instant is refined while it is written. That
