@@ -75,6 +75,29 @@ done
 if command -v zsh >/dev/null; then
   zsh -n _taut || fail "zsh: syntax"
   zsh -f -c 'fpath=($PWD $fpath); autoload -U compinit; compinit -D -u; [[ "$_comps[taut]" = _taut ]]' || fail "zsh: compinit"
+  # A tab behind what is typed, in a terminal of its own: the line must become what is wanted.
+  cat >tab.zsh <<'EOF'
+zmodload zsh/zpty
+zpty -b shell zsh -f -i
+zpty -w shell "PS1='ready> '; fpath=($PWD \$fpath); autoload -U compinit; compinit -D -u; unsetopt beep; print fin''ished"
+zpty -r -m shell seen '*finished*'
+zpty -w -n shell "$1"$'\t'
+for tries in {1..100}; do
+  while zpty -r -t shell piece; do text+="$piece"; done
+  [[ "$text" = *"$2"* ]] && exit 0
+  sleep 0.05
+done
+exit 1
+EOF
+  becomes() { # becomes TYPED WANTED
+    timeout 30 zsh -f tab.zsh "$1" "$2" >/dev/null 2>&1 || fail "zsh: '$1' does not become '$2'"
+  }
+  becomes 'taut che' 'taut check'
+  becomes 'taut check --touch c' '--touch closed'
+  becomes 'taut check --cl' '--clearance'
+  becomes 'taut check sc' 'scene.json'
+  becomes 'taut gen gears --te' '--teeth'
+  becomes 'taut demo li' 'taut demo lid'
 else
   echo "zsh is not here: its completions were looked at, but not loaded"
 fi
