@@ -186,7 +186,9 @@ class Verifier {
     if (!claims_motion()) throw ProofError("the tiling surrounds the wrong polygons");
     if (!(t >= segment().start && t <= segment().end))
       throw ProofError("the end of the proof is not within its segment");
-    if (t > last_.hi) {
+    // An enclosure in doubles may be wide.
+    const Instant last = lifetimes_.tightened(last_);
+    if (t > last.hi) {
       all_hold(Instant::exactly(t));
       result_.free_until = segment().time(t);
       return;
@@ -195,7 +197,7 @@ class Verifier {
     for (const HalfedgeId h : watched_) {
       if (!births_[h.value].is(last_)) check_holds(h, last_);
     }
-    result_.free_until = segment().time(std::min(t, last_.lo));
+    result_.free_until = segment().time(std::min(t, last.lo));
   }
 
   /// The inward shapes do not overlap at the start, as the tiling shows; two edges of the outward ones do cross.
