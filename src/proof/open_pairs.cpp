@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 
 #include "base/budget.hpp"
@@ -29,6 +30,7 @@ class BegunIntervals {
     }
     list_.resize(kept);
   }
+  bool empty() const { return list_.empty(); }
 
  private:
   std::vector<Swept> list_;
@@ -65,6 +67,7 @@ std::optional<BodyPairs> WindowBoxes::meeting(const VerifierScene& scene, std::s
   const bool along_x = sweep_along_x();
   std::vector<Swept> order;
   for (int i = 0; i < scene.size(); ++i) {
+    if (scene.ignores(i)) continue;
     const BoxedBody& b = of(i);
     // A little longer than it is, so that bodies at rest are seen that are within the room of each other.
     order.push_back({along_x ? b.lo_x : b.lo_y, (along_x ? b.hi_x : b.hi_y) + 2 * room_, i});
@@ -72,17 +75,20 @@ std::optional<BodyPairs> WindowBoxes::meeting(const VerifierScene& scene, std::s
   std::sort(order.begin(), order.end(),
             [](const Swept& a, const Swept& b) { return a.lo != b.lo ? a.lo < b.lo : a.body < b.body; });
   BodyPairs found;
-  BegunIntervals moving, resting;
+  // By bodies that move alike, most of which are not asked about each other. Those that have no interval left are gone.
+  std::map<int, BegunIntervals> begun;
   for (const Swept& next : order) {
     checkpoint();
     const auto visit = [&](int other) {
       checkpoint();
       if (meet(next.body, other) && scene.asked(next.body, other)) found.push_back(std::minmax(next.body, other));
     };
-    const bool rests = rests_[static_cast<std::size_t>(next.body)];
-    moving.each(next.lo, visit);
-    if (!rests || scene.tests_alike()) resting.each(next.lo, visit);
-    (rests ? resting : moving).add(next);
+    const int own = scene[next.body].alike;
+    for (auto& [alike, intervals] : begun) {
+      if (alike != own || scene.tests_alike()) intervals.each(next.lo, visit);
+    }
+    std::erase_if(begun, [](const auto& of) { return of.second.empty(); });
+    begun[own].add(next);
     // Many bodies may meet one: what is over the limit is dropped at once.
     if (found.size() > most) return std::nullopt;
   }

@@ -39,6 +39,8 @@ class VerifierScene {
   bool asked(int a, int b) const;
   /// Are pairs that move alike tested? As the scene says, and where all bodies do that are not ignored altogether.
   bool tests_alike() const { return tests_alike_; }
+  /// Is the body ignored altogether?
+  bool ignores(int body) const { return ignored_.has_all(body); }
   /// `tested`: all pairs that are asked about.
   Coverage coverage() const;
   /// In their roles: P is the body with the larger diameter, the first one if equal.

@@ -7,6 +7,12 @@
 #include "pair/placement.hpp"
 
 namespace taut::internal::proof {
+namespace {
+
+/// Of a pair, several kilobytes are kept, which is far more than what the log says of it.
+constexpr std::size_t most_pairs = 1024;
+
+}  // namespace
 
 const EdgeRanges& VerifierWorld::ranges(const RingSet& body) {
   std::unique_ptr<EdgeRanges>& made = ranges_[static_cast<std::size_t>(body.body())];
@@ -15,8 +21,10 @@ const EdgeRanges& VerifierWorld::ranges(const RingSet& body) {
 }
 
 VerifierPair& VerifierWorld::pair(int a, int b) {
+  const auto known = pairs_.find({a, b});
+  if (known != pairs_.end()) return *known->second;
+  if (pairs_.size() >= most_pairs) pairs_.clear();
   std::unique_ptr<VerifierPair>& place = pairs_[{a, b}];
-  if (place) return *place;
   BodyPair bodies = scene_.pair(a, b);
   PairGeometry geometry = displaced_pair(bodies, offset_);
   MotionSegments segments = scene_.segments(bodies);

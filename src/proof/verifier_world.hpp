@@ -47,6 +47,7 @@ class VerifierWorld {
   const VerifierScene& scene() const { return scene_; }
   Offset offset() const { return offset_; }
   double margin() const { return margin_; }
+  /// Valid until another pair is asked for: of many pairs, only some are kept.
   VerifierPair& pair(int a, int b);
   /// Around a box around a body has to be so much room.
   double room() const { return margin_ + box_room; }

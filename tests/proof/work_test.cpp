@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <sstream>
+#include <string>
 
 #include "base/budget.hpp"
 #include "generators/generators.hpp"
@@ -65,6 +66,39 @@ TEST(WorkOfVerification, GrowsWithTheSceneAndTheLog) {
   EXPECT_GT(large.segments_times_corners, 15 * small.segments_times_corners);
   EXPECT_LE(large.points, 8 * small.points);
   EXPECT_LT(large.points, large.segments_times_corners / 4);
+}
+
+/// A swarm that flies diagonally, so that the boxes of all its bodies meet along both axes.
+Scene swarm(int bodies, bool ignored) {
+  Scene scene;
+  scene.end = 1;
+  for (int i = 0; i <= bodies; ++i) {
+    const double x = 3.0 * (i % 20), y = 3.0 * (i / 20);
+    Body body{"body " + std::to_string(i), {{x, y}, {x + 1, y}, {x + 1, y + 1}, {x, y + 1}}, {}};
+    MotionPiece piece;
+    piece.x = {0, i == bodies ? -1e5 : 1e5 + (ignored ? i : 0)};
+    piece.y = {i == bodies ? -1e3 : 0, i == bodies ? -1e5 : 1e5};
+    body.motion.pieces = {piece};
+    scene.bodies.push_back(body);
+    if (ignored && i > 0 && i < bodies) scene.ignore.push_back({body.name, "*"});
+  }
+  return scene;
+}
+
+TEST(WorkOfVerification, IsLinearInBodiesThatAreNotTested) {
+  for (const bool ignored : {false, true}) {
+    SCOPED_TRACE(ignored ? "ignored" : "moving alike");
+    std::uint64_t work[2];
+    for (const int k : {0, 1}) {
+      const Scene scene = swarm(500 << k, ignored);
+      std::stringstream log;
+      ASSERT_EQ(prove(scene, log).outcome, Outcome::free);
+      const std::uint64_t before = work_spent();
+      EXPECT_EQ(verify(scene, log).outcome, Outcome::free);
+      work[k] = work_spent() - before;
+    }
+    EXPECT_LT(2 * work[1], 5 * work[0]);
+  }
 }
 
 TEST(WorkOfVerification, EndsWhereALimitSays) {
