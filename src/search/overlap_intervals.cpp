@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <span>
 
 #include "base/budget.hpp"
 #include "search/pair_instance.hpp"
 #include "sign/feature_map.hpp"
+#include "spacetime/crossing.hpp"
 #include "spacetime/first_contact.hpp"
 
 namespace taut::internal {
@@ -16,6 +18,9 @@ using spacetime::SegmentCrossing;
 
 /// Enclosures of this relative width are as tight as doubles allow.
 constexpr double rounding_of_doubles = 0x1p-55;
+
+/// Clusters with more doubles than this are chains of crossings. They are searched for freedom at the first ones only.
+constexpr int most_doubles = 16;
 
 /// Crossings that their enclosures do not separate.
 struct Cluster {
@@ -48,8 +53,12 @@ class IntervalSearch {
       const bool after = overlapping_at(c.hi < next ? c.hi + (next - c.hi) / 2 : instance_.end());
       if (!inside || !after) tighten_ends(c);
       // The bodies are free on both sides of a crossing: an overlap shorter than doubles resolve.
-      if (!inside) begin(c);
-      if (!after) end(c);
+      if (!inside) begin(c, c.first);
+      if (!after) end(c, c.last);
+      if (inside && after && free_within(c)) {
+        end(c, c.first);
+        begin(c, c.last);
+      }
       inside = after;
     }
     if (inside) found_.back().to = {instance_.end(), instance_.end()};
@@ -124,6 +133,27 @@ class IntervalSearch {
     while (segments.place(k).bridge) ++k;
     return spacetime::overlapping(pair_.geometry, pair_.trees(), *segments.hold(k), t).has_value();
   }
+  /// Is the vertex on the same side of the edge before and after? Then it crosses twice, of which one crossing is
+  /// known.
+  bool comes_back(const SegmentCrossing& c) const {
+    if (!c.precise) return false;
+    const std::shared_ptr<const MotionSegment> held = pair_.segments().hold(c.segment);
+    spacetime::PreciseCrossings crossings(pair_.geometry, *held, spacetime::Ways::both);
+    const spacetime::VertexEdge pair{c.vertex, c.edge};
+    const double before = std::max(std::nextafter(c.lo, -INFINITY), held->start);
+    const double after = std::min(std::nextafter(c.hi, INFINITY), held->end);
+    return crossings.side(pair, before) == crossings.side(pair, after);
+  }
+  /// Between two crossings that doubles do not separate, the bodies may part and meet again. What lies between the
+  /// overlaps is an instant of freedom if a double shows it.
+  bool free_within(const Cluster& c) const {
+    if (c.alone && !comes_back(c.first)) return false;
+    double t = c.lo;
+    for (int k = 0; k < most_doubles && t <= c.hi; ++k, t = std::nextafter(t, INFINITY)) {
+      if (!overlapping_at(t)) return true;
+    }
+    return false;
+  }
   Contact contact_of(const SegmentCrossing& c, Passage passage) const {
     Contact contact = FeatureMap(pair_.bodies, pair_.geometry, offset_)
                           .contact({c.vertex, c.edge, c.lo, c.hi}, pair_.segments()[c.segment], passage);
@@ -143,15 +173,15 @@ class IntervalSearch {
     next.from = {t, t};
     found_.push_back(next);
   }
-  void begin(const Cluster& c) {
+  void begin(const Cluster& c, const SegmentCrossing& crossing) {
     OverlapInterval next;
     next.pair = bodies_;
-    next.enter = contact_of(c.first, Passage::enters);
+    next.enter = contact_of(crossing, Passage::enters);
     next.from = bracket_of(c, *next.enter, Passage::enters);
     found_.push_back(next);
   }
-  void end(const Cluster& c) {
-    found_.back().exit = contact_of(c.last, Passage::leaves);
+  void end(const Cluster& c, const SegmentCrossing& crossing) {
+    found_.back().exit = contact_of(crossing, Passage::leaves);
     found_.back().to = bracket_of(c, *found_.back().exit, Passage::leaves);
   }
 

@@ -81,6 +81,27 @@ class ConsistencyJudge {
       require(o.from.lo <= o.to.hi, "an interval that ends before it begins");
     }
     if (*outcome_ == Outcome::contact && !all.intervals.empty()) meet({"intervals", first});
+    for (int k = 0; k <= 8; ++k) compare_range_at(scene_.start + (scene_.end - scene_.start) * k / 8, all.intervals);
+  }
+
+  /// A range lies between intervals, and ends where these do: their brackets share an instant.
+  void compare_range_at(double t, const std::vector<OverlapInterval>& all) {
+    const auto any = [&](const auto& holds) { return std::any_of(all.begin(), all.end(), holds); };
+    const auto share = [](const TimeInterval& a, const TimeInterval& b) { return a.lo <= b.hi && b.lo <= a.hi; };
+    const std::string where = fmt::format("range from {}", t);
+    try {
+      const Range free = range(scene_, t, options_);
+      if (free.outcome != Outcome::free) return;
+      require(!any([&](const OverlapInterval& o) { return o.from.hi < t && t < o.to.lo; }),
+              where + ": within an interval");
+      require(!free.to || any([&](const OverlapInterval& o) { return share(o.from, *free.to); }),
+              where + ": no interval begins where it ends");
+      require(!free.from || any([&](const OverlapInterval& o) { return share(o.to, *free.from); }),
+              where + ": no interval ends where it begins");
+    } catch (const InputError& error) {
+      require(any([&](const OverlapInterval& o) { return o.from.lo <= t && t <= o.to.hi; }),
+              where + ": " + error.what());
+    }
   }
 
   void compare_range() {
