@@ -178,14 +178,41 @@ std::array<Polygon, 2> placed(const Scene& scene, double t) {
   return out;
 }
 
+namespace {
+
+/// Divides the coordinates by a power of two, so that the largest is below 1, and returns its exponent. Where a motion
+/// puts a vertex, a coordinate may be far smaller or larger than those of valid polygons. The small ones become 0:
+/// poses are rounded by far more than that.
+int scale_to_one(std::array<Polygon, 2>& polygons) {
+  double largest = 0;
+  for (const Polygon& polygon : polygons) {
+    for (const Point& v : polygon) largest = std::max({largest, std::fabs(v.x), std::fabs(v.y)});
+  }
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  const auto scaled = [&](double x) {
+    const double y = std::ldexp(x, -exponent);
+    return std::fabs(y) < 0x1p-390 ? 0 : y;
+  };
+  for (Polygon& polygon : polygons) {
+    for (Point& v : polygon) v = {scaled(v.x), scaled(v.y)};
+  }
+  return exponent;
+}
+
+}  // namespace
+
 Separator separator(const Scene& scene, double t) {
   validate_polygons(scene);
   require_ring_pair(scene, "a separator");
   if (!(t >= scene.start && t <= scene.end)) {
     throw InputError("", "the instant " + std::to_string(t) + " is outside the scene's time", "choose one within");
   }
-  const std::array<Polygon, 2> polygons = placed(scene, t);
-  return separator_at_rest({scene.bodies[0].name, polygons[0], {}}, {scene.bodies[1].name, polygons[1], {}});
+  std::array<Polygon, 2> polygons = placed(scene, t);
+  const int exponent = scale_to_one(polygons);
+  Separator found = separator_at_rest({scene.bodies[0].name, polygons[0], {}}, {scene.bodies[1].name, polygons[1], {}});
+  for (Point& v : found.minimum_link.vertices) v = {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent)};
+  return found;
 }
 
 }  // namespace taut

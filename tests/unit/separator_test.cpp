@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "support/effort.hpp"
 #include "support/link_search.hpp"
 #include "taut/error.hpp"
@@ -30,6 +32,29 @@ TEST(Separator, BodiesApartHaveALine) {
   EXPECT_EQ(moving.hulls[0].size(), 4u);
   EXPECT_EQ(moving.hulls[1].size(), 4u);
   EXPECT_TRUE(moving.contact.empty());
+}
+
+/// The coordinates of a vertex that a motion has moved need not be valid ones of a polygon.
+TEST(Separator, VerticesMayMoveOutOfTheRangeOfCoordinates) {
+  Scene scene;
+  scene.end = 1;
+  scene.bodies = {{"a", box(0, 0, 1, 1), {}}, {"b", box(3, 0, 4, 1), {}}};
+  MotionPiece slow;
+  slow.x = {0, 1e-100};
+  scene.bodies[0].motion.pieces = {slow};
+  const Separator small = separator(scene, 1e-30);
+  EXPECT_FALSE(small.overlap);
+  EXPECT_EQ(small.minimum_link.upper, 1);
+  EXPECT_TRUE(is_separator(small.minimum_link.vertices, false, box(0, 0, 1, 1), box(3, 0, 4, 1)));
+
+  const double far = 0x1p399;
+  slow.x = {far};
+  scene.bodies = {{"a", box(far, 0, far + far / 2, far), {}}, {"b", box(-far, 0, far / 2, far), {}}};
+  scene.bodies[0].motion.pieces = {slow};
+  const Separator large = separator(scene, 0);
+  EXPECT_FALSE(large.overlap);
+  EXPECT_EQ(large.minimum_link.upper, 1);
+  for (const Point& v : large.minimum_link.vertices) EXPECT_TRUE(std::isfinite(v.x) && std::isfinite(v.y));
 }
 
 TEST(Separator, ALineThatJustPassesIsFound) {
