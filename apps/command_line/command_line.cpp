@@ -2,9 +2,12 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
 #include <cstdint>
 #include <cstdio>
 #include <optional>
+#include <system_error>
+#include <type_traits>
 
 #include "io/json_object.hpp"
 
@@ -18,6 +21,14 @@ std::string number_fault(const std::string& text, bool zero_allowed) {
   if (!CLI::detail::lexical_cast(text, value)) return "'" + text + "' is not a number";
   if (value > 0 || (zero_allowed && value == 0)) return {};
   return "'" + text + "' is not " + (zero_allowed ? "0 or more" : "more than 0");
+}
+
+/// CLI11 would take -1 for 2^64 - 1, and the largest number for all that are larger.
+std::string whole_number_fault(const std::string& text) {
+  std::uint64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error == std::errc() && end == text.data() + text.size()) return {};
+  return "'" + text + "' is not a whole number from 0 to " + std::to_string(UINT64_MAX);
 }
 
 }  // namespace
@@ -72,7 +83,9 @@ void Command::require_command() const { app_->require_subcommand(1); }
 
 template <class T>
 Option Command::add_option(const std::string& names, T& value, const std::string& description) const {
-  return Option(app_->add_option(names, value, description));
+  CLI::Option* const option = app_->add_option(names, value, description);
+  if constexpr (std::is_unsigned_v<T>) option->check(whole_number_fault);
+  return Option(option);
 }
 template Option Command::add_option(const std::string&, std::string&, const std::string&) const;
 template Option Command::add_option(const std::string&, std::vector<std::string>&, const std::string&) const;

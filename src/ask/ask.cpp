@@ -2,6 +2,8 @@
 #include "taut/ask.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <initializer_list>
 #include <sstream>
 #include <utility>
@@ -11,6 +13,7 @@
 #include "io/json_numbers.hpp"
 #include "io/json_object.hpp"
 #include "io/json_text.hpp"
+#include "io/number_text.hpp"
 #include "taut/clearance.hpp"
 #include "taut/error.hpp"
 #include "taut/intervals.hpp"
@@ -20,6 +23,9 @@
 
 namespace taut::internal {
 namespace {
+
+/// All whole numbers up to this one are doubles.
+constexpr std::uint64_t most_events = std::uint64_t{1} << 53;
 
 /// The options of one question, read when its function asks for them.
 class QuestionOptions {
@@ -34,12 +40,17 @@ class QuestionOptions {
     return token ? io::read_number(document_, *token, key) : otherwise;
   }
   double required(const char* key) const { return io::read_number(document_, object_.get(key), key); }
-  int instants() const {
-    const double given = number("instants", 101);
-    if (!(given >= 2 && given <= 1000000))
-      throw InputError("instants", "there are too few or too many", "give 2 to 1000000");
-    return static_cast<int>(given);
+  std::uint64_t whole_number(const char* key, std::uint64_t least, std::uint64_t most, std::uint64_t otherwise) const {
+    if (!object_.find(key)) return otherwise;
+    const double given = required(key);
+    if (!(given >= static_cast<double>(least) && given <= static_cast<double>(most) && given == std::floor(given)))
+      throw InputError(key,
+                       io::number_text(given) + " is not a whole number from " + std::to_string(least) + " to " +
+                           std::to_string(most),
+                       "give one, or leave it out");
+    return static_cast<std::uint64_t>(given);
   }
+  int instants() const { return static_cast<int>(whole_number("instants", 2, 1000000, 101)); }
   bool flag(const char* key) const {
     const auto token = object_.find(key);
     if (!token) return false;
@@ -75,8 +86,7 @@ class QuestionOptions {
                                                    {"either", EngineChoice::either}});
     options.fit = number("fit", 0);
     options.time_tolerance = number("time_tolerance", options.time_tolerance);
-    const double events = number("max_events", 1e300);
-    if (events < 0x1p63) options.max_events = events > 0 ? static_cast<std::uint64_t>(events) : 0;
+    options.max_events = whole_number("max_events", 0, most_events, options.max_events);
     return options;
   }
   const std::string& log() const { return question_.log; }

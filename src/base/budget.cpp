@@ -1,6 +1,6 @@
 #include "base/budget.hpp"
 
-#include <algorithm>
+#include "taut/error.hpp"
 
 namespace taut::internal {
 namespace {
@@ -19,7 +19,9 @@ std::uint64_t after(std::uint64_t work, std::uint64_t more) {
 }  // namespace
 
 Budget::Budget(const Limits& limits) : stop_(limits.stop), limited_(limits.max_seconds < for_ever), outer_(innermost) {
-  const std::chrono::duration<double> limit(std::max(limits.max_seconds, 0.0));
+  if (!(limits.max_seconds >= 0))
+    throw InputError("max_seconds", "it is negative or not a number", "give 0 or more, or leave it out");
+  const std::chrono::duration<double> limit(limits.max_seconds);
   if (limited_) deadline_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(limit);
   innermost = this;
 }
@@ -33,7 +35,7 @@ Budget::~Budget() { innermost = outer_; }
 
 void Budget::check() const {
   if (stop_ && stop_->load(std::memory_order_relaxed)) throw Interrupted{"interrupted"};
-  if (limited_ && Clock::now() > deadline_) throw Interrupted{"the time limit was reached"};
+  if (limited_ && Clock::now() >= deadline_) throw Interrupted{"the time limit was reached"};
   if (outer_) outer_->check();
 }
 

@@ -52,7 +52,7 @@ class CurvedCheck {
   CurvedWorld take_world() { return std::move(world_); }
 
  private:
-  double seconds_left() const { return options_.limits.max_seconds - seconds_since(began_); }
+  double seconds_left() const { return time_left(options_.limits.max_seconds, began_); }
 
   Answer ask(CurveSide side, double from, double to) {
     CheckOptions options = options_;
@@ -190,7 +190,7 @@ Answer check_each_pair(const Scene& scene, const CheckOptions& options) {
   for (PairAnswer& pair : *answer.pairs) {
     if (pair.outcome == Outcome::free) continue;
     std::vector<BodyId> ids;
-    all.limits.max_seconds = options.limits.max_seconds - seconds_since(began);
+    all.limits.max_seconds = time_left(options.limits.max_seconds, began);
     const Answer own = check_curved_or_plain(scene_of_pair(scene, pair.bodies, ids), all);
     pair = {pair.bodies, own.outcome, own.contact, own.outcome == Outcome::free ? scene.end : own.free_until,
             own.reason};

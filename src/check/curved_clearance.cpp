@@ -101,7 +101,7 @@ class ClearanceBracket {
 
  private:
   Clearance ask(CurveSide side) {
-    own_.limits.max_seconds = options_.limits.max_seconds - seconds_since(began_);
+    own_.limits.max_seconds = time_left(options_.limits.max_seconds, began_);
     Clearance answer = clearance(world_.polygons(side), own_);
     answer.geometry = CurveGeometry{world_.tolerance(), world_.segments()};
     return answer;
@@ -125,7 +125,7 @@ class ClearanceBracket {
       const double margin = nearest.hi * (1 - share);
       // Known margins need not be tested.
       if (!(margin - jump > nearest.lo) || nearest.hi - margin < wanted_width(nearest.hi)) continue;
-      how.limits.max_seconds = options_.limits.max_seconds - seconds_since(began_);
+      how.limits.max_seconds = time_left(options_.limits.max_seconds, began_);
       if (!keeps(margin, how)) return;
       nearest.lo = (margin - jump) * (1 - 0x1p-50);
     }

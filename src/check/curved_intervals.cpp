@@ -77,7 +77,7 @@ class CurvedIntervals {
  private:
   Intervals ask(CurveSide side) const {
     CheckOptions options = options_;
-    options.limits.max_seconds -= seconds_since(began_);
+    options.limits.max_seconds = time_left(options.limits.max_seconds, began_);
     Scene polygons = world_.polygons(side);
     polygons.ignore.insert(polygons.ignore.end(), finished_.begin(), finished_.end());
     return intervals(polygons, options);
@@ -116,7 +116,7 @@ class CurvedIntervals {
     scene.start = std::max(scene.start, from);
     scene.end = std::min(scene.end, to);
     CheckOptions options = options_;
-    options.limits.max_seconds -= seconds_since(began_);
+    options.limits.max_seconds = time_left(options.limits.max_seconds, began_);
     Intervals found = CurvedIntervals(scene, options, wanted_, false).run();
     if (found.intervals.size() != 1 || !found.undecided.empty()) return std::nullopt;
     OverlapInterval decided = found.intervals[0];

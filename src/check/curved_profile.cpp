@@ -39,7 +39,7 @@ class CurvedProfile {
   }
 
  private:
-  double seconds_left() const { return options_.limits.max_seconds - seconds_since(began_); }
+  double seconds_left() const { return time_left(options_.limits.max_seconds, began_); }
 
   /// Computes the whole profile, coarsely.
   DistanceProfile whole() {

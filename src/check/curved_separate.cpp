@@ -51,7 +51,7 @@ class CurvedSeparation {
  private:
   Separation ask(CurveSide side) const {
     SeparateOptions options = options_;
-    options.limits.max_seconds -= seconds_since(began_);
+    options.limits.max_seconds = time_left(options.limits.max_seconds, began_);
     Separation answer = separate(world_.polygons(side), options);
     answer.geometry = CurveGeometry{world_.tolerance(), world_.segments()};
     return answer;

@@ -8,6 +8,7 @@
 #include "base/errors.hpp"
 #include "base/progress.hpp"
 #include "check/curved_questions.hpp"
+#include "check/run.hpp"
 #include "numeric/undecided.hpp"
 #include "pair/untested.hpp"
 #include "pair/validate_scene.hpp"
@@ -120,8 +121,7 @@ Range range(const Scene& scene, double t, const CheckOptions& options) {
   Intervals before, after = intervals_within(scene, t, scene.end, options);
   if (t > scene.start) {
     CheckOptions rest = options;
-    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - began;
-    rest.limits.max_seconds -= spent.count();
+    rest.limits.max_seconds = time_left(rest.limits.max_seconds, began);
     before = intervals_within(scene, scene.start, t, rest);
   }
   Range range;

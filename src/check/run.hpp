@@ -1,6 +1,7 @@
 // The run of the engines for the first contact of any pair, and its answer.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <optional>
@@ -58,6 +59,11 @@ PairAnswer agreed_pair(const PairAnswer& kinetic, const PairAnswer& spacetime);
 
 inline double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// What is left of a limit in seconds that began then: never less than 0.
+inline double time_left(double seconds, std::chrono::steady_clock::time_point began) {
+  return std::max(0.0, seconds - seconds_since(began));
 }
 
 }  // namespace taut::internal

@@ -112,6 +112,9 @@ void validate_ignored(const Scene& scene, const Names& names) {
         throw InputError("ignore[" + std::to_string(i) + "]", "there is no body \"" + name + "\"",
                          "write names of bodies of the scene, or \"*\" for every other one");
     }
+    if (scene.ignore[i][0] == scene.ignore[i][1] && scene.ignore[i][0] != "*")
+      throw InputError("ignore[" + std::to_string(i) + "]", "it pairs \"" + scene.ignore[i][0] + "\" with itself",
+                       "write the names of two bodies, or \"*\" for every other one");
   }
 }
 

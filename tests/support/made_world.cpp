@@ -43,7 +43,9 @@ Scene scene_of(const MadeWorld& world) {
     scene.bodies.push_back(body);
   }
   const auto name = [&](int i) { return i < 0 ? std::string("*") : world.bodies[static_cast<std::size_t>(i)].name; };
-  for (const auto& pair : world.ignore) scene.ignore.push_back({name(pair[0]), name(pair[1])});
+  for (const auto& pair : world.ignore) {
+    if (pair[0] != pair[1]) scene.ignore.push_back({name(pair[0]), name(pair[1])});
+  }
   return scene;
 }
 

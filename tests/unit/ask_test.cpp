@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 #include "taut/clearance.hpp"
@@ -88,6 +89,30 @@ TEST(Ask, RefusesWhatItDoesNotKnow) {
   EXPECT_NE(refusal("clearance", R"({"touch": "closed"})").second.find("touch"), std::string::npos);
   EXPECT_NE(refusal("range").second.find("from"), std::string::npos);
   EXPECT_NE(refusal("check", R"({"max_second": 1})").second.find("did you mean \"max_seconds\"?"), std::string::npos);
+}
+
+void expect_refused(const std::string& name, const std::string& options, const std::string& place) {
+  SCOPED_TRACE(options);
+  try {
+    json_of(name, options);
+    ADD_FAILURE() << "it was accepted";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find(place + ": "), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("hint: "), std::string::npos) << error.what();
+  }
+}
+
+TEST(Ask, RefusesCountsAndLimitsThatMakeNoSense) {
+  for (const std::string number : {"-1", "1.5", "1e300", "-1e-300"}) {
+    expect_refused("check", R"({"max_events": )" + number + "}", "max_events");
+    expect_refused("prove", R"({"max_events": )" + number + "}", "max_events");
+    expect_refused("distance_profile", R"({"instants": )" + number + "}", "instants");
+  }
+  for (const auto& known : {"check", "clearance", "intervals", "separate", "prove", "distance_profile"})
+    expect_refused(known, R"({"max_seconds": -1})", "max_seconds");
+  expect_refused("clearance", R"({"tolerance": 1.5})", "tolerance");
+  EXPECT_NO_THROW(json_of("check", R"({"max_events": 0})"));
+  EXPECT_NO_THROW(json_of("check", R"({"max_events": 9007199254740992})"));
 }
 
 TEST(Ask, NamesEveryQuestionOnce) {

@@ -82,7 +82,7 @@ TEST(SimulationLimits, StopsWhileItIsMade) {
   expect_undecided(decided, "interrupted");
   EXPECT_EQ(decided.time(), meshing_gears().start);
   options.limits.stop = nullptr;
-  options.limits.max_seconds = -1;
+  options.limits.max_seconds = 0;
   Simulation late(meshing_gears(), options);
   expect_undecided(late, "the time limit was reached");
   EXPECT_EQ(late.certificates(), 0u);

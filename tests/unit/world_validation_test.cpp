@@ -157,6 +157,8 @@ TEST(WorldValidation, IgnoredBodiesExist) {
   Scene scene = world_with_holes({});
   scene.ignore = {{"a", "plate"}, {"plate", "lid"}};
   expect_fault(scene, "ignore[1]", "no body \"lid\"");
+  scene.ignore = {{"plate", "plate"}};
+  expect_fault(scene, "ignore[0]", "it pairs \"plate\" with itself");
   scene.ignore = {{"a", "*"}, {"*", "*"}};
   const Answer answer = check(scene);
   EXPECT_EQ(answer.coverage.ignored, 3U);
