@@ -325,6 +325,18 @@ expect 0 'nothing after that' '' verify long.json a.proof
 rm -f a.proof
 expect 1 'no proof was written' '' prove overlap.json -o a.proof
 [ -e a.proof ] && { echo "FAILED: a proof of nothing"; failures=$((failures + 1)); }
+cp hit.proof old.proof
+expect 1 'no proof was written; old.proof is an older file, left as it was' '' prove overlap.json -o old.proof
+expect 1 'overlap_at_start' 'no proof was written; old.proof is an older file' prove --json overlap.json -o old.proof
+cmp -s hit.proof old.proof || { echo "FAILED: an older proof was touched"; failures=$((failures + 1)); }
+cp hit.proof old.svg
+expect 1 'OVERLAP' 'no picture was written; old.svg is an older file' separator overlap.json -o old.svg
+expect 2 '' "max-events: '-1' is not a whole number" check free.json --max-events -1
+expect 2 '' "max-events: '1.5' is not a whole number" check free.json --max-events 1.5
+expect 2 '' "max-events: '1e30' is not a whole number" check free.json --max-events 1e30
+expect 2 '' "max-events: '99999999999999999999' is not a whole number" check free.json --max-events 99999999999999999999
+expect 2 '' "seed: '-1' is not a whole number" gen lock --seed -1
+expect 2 '' 'tolerance: it is not at least 1e-12 and below 1' clearance free.json --tolerance 1.5
 expect 2 '' 'no/a.proof: cannot write' prove free.json -o no/a.proof
 expect 2 '' 'missing.proof: cannot open' verify free.json missing.proof
 expect 2 '' 'no.json: cannot open' verify no.json cut.proof

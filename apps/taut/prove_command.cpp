@@ -1,3 +1,6 @@
+#include <fmt/format.h>
+
+#include <cstdio>
 #include <memory>
 
 #include "commands.hpp"
@@ -32,11 +35,12 @@ void print_proved(const ProveArguments& arguments, const Scene& scene, std::stri
   const std::string id = to_hex(scene_fingerprint(scene, arguments.options.touch));
   if (arguments.json) {
     if (proof) json.insert(json.size() - 1, ",\"scene_sha256\":\"" + id + "\"");
+    if (!proof) fmt::print(stderr, "taut: {}\n", not_written("proof", arguments.output));
     return print_text(json + "\n");
   }
   print_text(words);
   print_text(proof ? "  proof in " + io::line_for_terminal(arguments.output) + ", scene " + id.substr(0, 16) + "\n"
-                   : "  no proof was written\n");
+                   : "  " + not_written("proof", arguments.output) + "\n");
 }
 
 int run_prove_clearance(const ProveArguments& arguments) {

@@ -1,9 +1,12 @@
 #include "scene_argument.hpp"
 
 #include <cstdio>
+#include <filesystem>
 #include <map>
+#include <system_error>
 
 #include "commands.hpp"
+#include "io/terminal_text.hpp"
 #include "taut/io.hpp"
 
 namespace taut::cli {
@@ -39,6 +42,13 @@ void add_limits(const Command& command, CheckOptions& options) {
 void write_output(const std::string& path, const std::string& text) {
   if (!path.empty() && path != "-") return write_file(path, text);
   std::fwrite(text.data(), 1, text.size(), stdout);
+}
+
+std::string not_written(const std::string& what, const std::string& path) {
+  std::error_code ignored;
+  const std::string name = internal::io::line_for_terminal(path);
+  const bool old = std::filesystem::is_regular_file(path, ignored);
+  return "no " + what + " was written" + (old ? "; " + name + " is an older file, left as it was" : "");
 }
 
 void add_allow_untested(const Command& command, bool& allow) {

@@ -20,6 +20,8 @@ void add_limits(const Command& command, CheckOptions& options);
 
 /// Writes to a file, or to standard output if `path` is empty or "-".
 void write_output(const std::string& path, const std::string& text);
+/// "no proof was written", and, if there is a file already, that it was left as it is: it is not about this scene.
+std::string not_written(const std::string& what, const std::string& path);
 
 /// What a question is asked about, and what becomes of a scene in which nothing is tested.
 struct AskedScene {

@@ -105,6 +105,8 @@ int run_separator(const SeparatorArguments& arguments) {
   const Separator found = within_file(arguments.scene.path, [&] { return separator(scene, t); });
   if (!arguments.picture.empty() && !found.overlap) write_file(arguments.picture, picture(scene, t, found));
   print_text(arguments.json ? to_json(scene, t, found) : to_text(scene, t, found));
+  if (!arguments.picture.empty() && found.overlap)
+    fmt::print(stderr, "taut: {}\n", not_written("picture", arguments.picture));
   return found.overlap ? exit_contact : exit_free;
 }
 
