@@ -147,7 +147,7 @@ gzip -c plate.svg >plate.svgz
 expect 0 '"holes":\[\[' 'plate.svgz: SVG' import plate.svgz
 # What is there already is not of the run that failed.
 echo old >old.json
-expect 2 '' 'nothing is written: old.json is an older file, and stays as it is' import open.svg -o old.json
+expect 2 '' 'no scene was written; old.json is an older file, left as it was' import open.svg -o old.json
 grep -q old old.json || { echo "FAILED: a file was written in spite of an error"; failures=$((failures + 1)); }
 expect 2 '' 'missing.svg' import missing.svg
 

@@ -51,7 +51,7 @@ std::vector<std::string> names_in(const std::string& list) {
 void tell_unwritten(const std::string& output) {
   std::error_code none;
   if (!output.empty() && std::filesystem::is_regular_file(output, none))
-    fmt::print(stderr, "taut: nothing is written: {} is an older file, and stays as it is\n", io::for_terminal(output));
+    fmt::print(stderr, "taut: {}\n", not_written("scene", output));
 }
 
 int import_files(ImportArguments& arguments) {
