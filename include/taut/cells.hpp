@@ -30,7 +30,7 @@ struct CoveredCells {
 /// All cells that the body, its boundary included, touches at any instant of the scene's time, wherever its motion and
 /// its parents' motions put it: none is missing, whatever happens between poses. And hardly more: every cell in the
 /// answer is at most a sixteenth of a cell away from the body at some instant. Other bodies do not matter. Throws
-/// InputError if the scene is not valid, if there is no such body, if a cell is so small that doubles do not tell
+/// InputError if the scene is not valid, if there is no such body, if a cell is so small that doubles do not decide
 /// sixteenths of it where the body is, or if there would be more than 2^26 cells; UndecidedError if it is stopped.
 CoveredCells cells(const Scene& scene, BodyId body, const CellOptions& options);
 

@@ -64,8 +64,8 @@ struct Contact {
   EdgeRef edge;
   Point point;
   Point normal;  ///< unit outward normal of the edge's body at the contact
-  /// The features meet so slowly that whether they overlap or just touch is below what taut tells apart (2^-150 of the
-  /// size of the scene) for a while: `time` is that while, from when they may touch to when they certainly have
+  /// The features meet so slowly that whether they overlap or just touch is below what taut distinguishes (2^-150 of
+  /// the size of the scene) for a while: `time` is that while, from when they may touch to when they certainly have
   /// overlapped, or have parted again.
   bool grazing = false;
 };
@@ -96,7 +96,7 @@ struct CheckOptions {
   /// where a body has features that are finer.
   double fit = 0;
   /// Of a scene with curves: how wide the time of a contact may be, as a share of the scene's time. Polygons are
-  /// refined until they tell it as well as that, or doubles end.
+  /// refined until they enclose it that closely, or the resolution of doubles is reached.
   double time_tolerance = 1e-9;
   /// Notified of every event of the kinetic engine, which are all events of the motion if that engine is asked alone
   /// (EngineChoice::kinetic); may be null. Not owned. The scene must be two bodies, each one polygon in the
@@ -148,7 +148,7 @@ struct Answer {
   std::string reason;
   /// The pair that the outcome is about, unless it is `free`.
   std::optional<std::array<BodyId, 2>> pair;
-  /// Other pairs whose first contacts come so close to that one that their order is not told: in the order of the
+  /// Other pairs whose first contacts come so close to that one that their order is not decided: in the order of the
   /// scene.
   std::vector<PairAnswer> also;
   /// Which pairs the answer is about. `free` says nothing about the others.

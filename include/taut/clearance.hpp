@@ -38,7 +38,7 @@ struct Clearance {
 /// How precise the bracket is to be.
 struct ClearanceOptions {
   /// hi - lo <= relative * hi + 1e-12 of the largest coordinate; wider only where `wide` says why: where the highest
-  /// precision does not tell whether a margin is kept, or a limit was reached. At least 1e-12.
+  /// precision does not decide whether a margin is kept, or a limit was reached. At least 1e-12.
   double relative = 1e-9;
   bool all_pairs = false;
   Limits limits = {};
@@ -46,11 +46,11 @@ struct ClearanceOptions {
 
 /// The least distance of the closures of any two bodies that are asked about, over the scene's time: 0 if they touch or
 /// overlap. The bracket is certain, by branch and bound over time and pairs of boxes with certified bounds, and where
-/// these do not tell, by roots of any precision; instants in between are in it as well. Throws InputError.
+/// these do not decide, by roots of any precision; instants in between are in it as well. Throws InputError.
 Clearance clearance(const Scene& scene, const ClearanceOptions& options = {});
 
-/// Which features come as close as a clearance: a vertex of one body, and an edge of the other one beside which it is,
-/// or a vertex. One of `edge` and `other` is there.
+/// Which features come as close as a clearance: a vertex of one body, and an edge of the other one onto which it
+/// projects, or a vertex. One of `edge` and `other` is there.
 struct CloseFeatures {
   VertexRef vertex;
   std::optional<EdgeRef> edge;
@@ -61,7 +61,7 @@ struct CloseFeatures {
 struct PairMargin {
   std::array<BodyId, 2> bodies{};  ///< in the order of the scene
   /// contact: they come closer (`closed` touching: as close), first within `time`. overlap_at_start: they are at the
-  /// start. undecided: the highest precision does not tell, or a limit was reached.
+  /// start. undecided: the highest precision does not decide, or a limit was reached.
   Outcome outcome = Outcome::free;
   TimeInterval time;  ///< of a contact: encloses the instant, as that of check() does
   /// As of a contact of check(): the bracket is wider than the clock is fine, since they come closer so slowly.
@@ -77,7 +77,7 @@ struct PairMargin {
 struct MarginAnswer {
   Outcome outcome = Outcome::free;  ///< of the pair that comes closer first
   std::optional<PairMargin> first;  ///< that pair, unless the outcome is `free`
-  std::vector<PairMargin> also;     ///< others that come closer so soon after it that the order is not told
+  std::vector<PairMargin> also;     ///< others that come closer so soon after it that the order is not decided
   std::vector<PairMargin> pairs;    ///< with CheckOptions::all_pairs, as Answer::pairs
   double free_until = 0;
   std::string reason;  ///< why it is undecided or untested; empty otherwise
@@ -88,7 +88,7 @@ struct MarginAnswer {
 /// Do all bodies keep this distance, in the scene's units, and if not, when and where do they first come closer? The
 /// question of check() with a margin; `clearance` must be positive. With CheckOptions::touch `open` bodies that come to
 /// the clearance and no closer, or stay at it, are free; `closed`, they are in contact. Free is proved, and so is the
-/// time of a contact: certified bounds in doubles tell what stays away, roots of any precision the rest. Engines,
+/// time of a contact: certified bounds in doubles decide what stays away, roots of any precision the rest. Engines,
 /// tracers and events mean nothing here. Throws InputError.
 MarginAnswer check_clearance(const Scene& scene, double clearance, const CheckOptions& options = {});
 
@@ -111,7 +111,7 @@ struct DistanceCurve {
   double largest_lo = 0, largest_hi = 0;  ///< certainly enclose the greatest distance over the scene's time
   double largest_at = 0;                  ///< a time at which the distance is at least `largest_lo`
   /// Is the bracket of the greatest distance as narrow as was asked for? If not, ProfileOptions::halvings
-  /// did not suffice, or doubles do not tell more, as where a body turns with infinite speed.
+  /// did not suffice, or doubles do not decide more, as where a body turns with infinite speed.
   bool settled = false;
 };
 

@@ -62,7 +62,7 @@ const char* to_string(CellState state);
 struct EnvelopeCell {
   CellState state = CellState::undecided;
   std::array<double, max_joints> lo{}, hi{};
-  std::array<BodyId, 2> pair{};  ///< which overlaps, or was not told apart
+  std::array<BodyId, 2> pair{};  ///< which overlaps, or was not distinguished
 };
 
 /// A combination at which two bodies overlap.

@@ -85,7 +85,7 @@ class ProofError : public Error {
   using Error::Error;
 };
 
-/// A sign that even the highest precision does not settle, or a limit that was reached, where there is no answer to say
+/// A sign that even the highest precision does not decide, or a limit that was reached, where there is no answer to say
 /// so in: check(), prove() and Simulation say it as an outcome or a state.
 class UndecidedError : public Error {
  public:

@@ -33,8 +33,8 @@ struct Intervals {
 };
 
 /// All intervals in which bodies overlap, for each pair that is asked about. With open touching an instant of touching
-/// is none; with closed touching an interval may be an instant, as far as doubles tell, and ends where bodies part.
-/// Crossings of edges that follow each other by less than doubles tell apart are taken together: what happens between
+/// is none; with closed touching an interval may be an instant, as far as doubles show, and ends where bodies part.
+/// Crossings of edges that follow each other by less than doubles resolve are taken together: what happens between
 /// them is within both enclosures. Bodies that part there and meet again have two intervals if they are free at a
 /// double. Of the options, `touch`, `max_seconds` and `stop` count. Throws InputError.
 Intervals intervals(const Scene& scene, const CheckOptions& options = {});

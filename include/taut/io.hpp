@@ -122,7 +122,7 @@ DrawnPath drawn_cycle(const Tiling& tiling, const GeodesicCycle& cycle);
 /// An SVG picture of bodies and tiling.
 std::string draw_svg(const Scene& scene, const Tiling& tiling, const DrawOptions& options = {});
 
-/// A distance to mark in a picture: two points in world coordinates, and what is written beside them.
+/// A distance to mark in a picture: two points in world coordinates, and the text next to them.
 struct DrawnDistance {
   std::array<Point, 2> points{};
   std::string text;

@@ -66,7 +66,7 @@ class MapQuery {
   ~MapQuery();
   /// Nothing may be asked of the one that was moved from.
   MapQuery(MapQuery&&) noexcept;
-  /// The same.
+  /// Nothing may be asked of the one that was moved from.
   MapQuery& operator=(MapQuery&&) noexcept;
 
   /// May the robot be here? The pose of a robot of one body; `free_until` is 0. Throws InputError if a number is not
@@ -81,7 +81,7 @@ class MapQuery {
   MapFinding along(const PoseSE2& from, const PoseSE2& to) { return along(std::span(&from, 1), std::span(&to, 1)); }
   /// The same for each link, seen from its parent.
   MapFinding along(std::span<const PoseSE2> from, std::span<const PoseSE2> to);
-  /// The first collision of links that move as they are told, each seen from its parent, on [start, end]. Throws
+  /// The first collision of links that move as given, each seen from its parent, on [start, end]. Throws
   /// InputError if a motion is not valid there.
   MapFinding along(std::span<const Motion> motions, double start, double end);
 

@@ -20,7 +20,7 @@ struct AngleRotation {
   Coefficients angle;
 };
 /// x(t) = (a(t), b(t)) / sqrt(a(t)^2 + b(t)^2); (a, b) must not vanish on the piece
-/// (nor be so near to it that 960 bits cannot tell).
+/// (nor be so near to it that 960 bits cannot decide).
 struct DirectionRotation {
   Coefficients a, b;
 };

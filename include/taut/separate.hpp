@@ -25,7 +25,7 @@ struct VertexAtEdge {
 /// A maximal closed arc of directions, counterclockwise from `from` to `to`.
 struct DirectionArc {
   DirectionInterval from, to;
-  /// A single direction, as far as doubles can tell: a slot that fits exactly.
+  /// A single direction, as far as doubles can show: a slot that fits exactly.
   bool point = false;
   /// What ends the arc: in that direction, a vertex of the moving body comes to a vertex of another one,
   std::optional<std::array<VertexRef, 2>> from_vertices, to_vertices;

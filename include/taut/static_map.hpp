@@ -56,7 +56,7 @@ class StaticMap {
 
   /// A body of the map that the mover overlaps, or with `closed` touching touches, where its motion has it at time t;
   /// of several, the first. Decided exactly. Throws InputError if the motion is not valid there, and UndecidedError
-  /// where the highest precision does not tell.
+  /// where the highest precision does not decide.
   std::optional<BodyId> overlapped(const Mover& mover, const Motion& motion, double t, Touch touch = Touch::open) const;
 
   struct Impl;

@@ -166,7 +166,7 @@ class ClearanceSearch {
 Clearance clearance(const Scene& scene, const ClearanceOptions& options) {
   if (!(options.relative >= 1e-12 && options.relative < 1))
     throw InputError("tolerance", "it is not at least 1e-12 and below 1",
-                     "1e-9 is usual; doubles do not tell more than 1e-12");
+                     "1e-9 is usual; doubles do not resolve more than 1e-12");
   if (has_curves(scene)) return clearance_of_curves(scene, options);
   const Budget scope(options.limits);
   Clearance answer;

@@ -83,7 +83,7 @@ class CurvedCheck {
       return std::nullopt;
     return undecided(outer,
                      "curves touch or run along each other at the start: whether they overlap is finer than "
-                     "polygons told");
+                     "polygons resolve");
   }
 
   std::optional<Answer> bracket(const Answer& outer, int round) {
@@ -103,7 +103,7 @@ class CurvedCheck {
       if (inner && inner->contact) return barely(outer, *inner);
       return undecided(outer,
                        "from t = " + short_text(lo) +
-                           " on curves touch, or come nearer to it than doubles tell, and may not overlap at all");
+                           " on curves touch, or come nearer to it than doubles resolve, and may not overlap at all");
     }
     if (windows_) from_ = std::max(from_, lo - wanted_);
     return std::nullopt;
@@ -130,7 +130,7 @@ class CurvedCheck {
   /// The resolution of doubles was reached before the bracket was narrow enough.
   Answer barely(const Answer& outer, const Answer& inner) const {
     return undecided(outer, "they overlap first between t = " + short_text(outer.contact->time.lo) + " and t = " +
-                                short_text(inner.contact->time.hi) + ", and doubles do not tell curves finer");
+                                short_text(inner.contact->time.hi) + ", and doubles cannot resolve curves further");
   }
 
   Answer undecided(const Answer& outer, const std::string& reason) const {

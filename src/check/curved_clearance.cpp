@@ -246,11 +246,11 @@ class MarginBracket {
       if (outer.outcome != Outcome::contact && outer.outcome != Outcome::overlap_at_start) return outer;
       MarginAnswer inner = ask(CurveSide::inner);
       if (inner.outcome == Outcome::undecided) return inner;
-      if (inner.outcome == outer.outcome && settled(outer, inner, wanted)) return concluded(outer, std::move(inner));
+      if (inner.outcome == outer.outcome && is_narrow(outer, inner, wanted)) return concluded(outer, std::move(inner));
       CurvedWorld::Halvings marks = world_.no_halvings();
       const std::size_t count = mark(outer, marks) + mark(inner, marks);
       if (count == 0 || limit_.reached(world_) || !refine_marked(world_, std::move(marks), count))
-        return undecided_margin(outer, "whether curves come closer is finer than doubles tell, or when");
+        return undecided_margin(outer, "whether curves come closer is finer than doubles resolve, or when");
     }
   }
 
@@ -263,7 +263,7 @@ class MarginBracket {
     return answer;
   }
 
-  static bool settled(const MarginAnswer& outer, const MarginAnswer& inner, double wanted) {
+  static bool is_narrow(const MarginAnswer& outer, const MarginAnswer& inner, double wanted) {
     if (outer.outcome == Outcome::overlap_at_start) return true;
     const double own = 2 * (inner.first->time.hi - inner.first->time.lo);
     return inner.first->time.hi - outer.first->time.lo <=

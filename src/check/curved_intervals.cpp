@@ -63,7 +63,7 @@ class CurvedIntervals {
       std::size_t count = 0;
       for (const OverlapBracket& bracket : brackets) {
         if (open.count(bracket.outer.pair) == 0) {
-          settle(bracket);
+          resolve(bracket);
         } else if (!bracket.decided(wanted_)) {
           count += mark(bracket, marks);
         }
@@ -145,7 +145,7 @@ class CurvedIntervals {
   }
 
   /// Must be called while the polygons are those of the result.
-  void settle(const OverlapBracket& bracket) {
+  void resolve(const OverlapBracket& bracket) {
     if (undecided_.count(bracket.outer.pair) == 0) answer_.intervals.push_back(named(bracket));
   }
 
@@ -199,7 +199,7 @@ class CurvedIntervals {
                                    {},
                                    outer.from.lo,
                                    "between t = " + time_words(outer.from.lo) + " and t = " + time_words(outer.to.hi) +
-                                       " curves touch, or overlap by less than doubles tell: `taut flatten` makes "
+                                       " curves touch, or overlap by less than doubles resolve: `taut flatten` makes "
                                        "polygons, about which it is decided"});
     }
     std::stable_sort(answer_.intervals.begin(), answer_.intervals.end(),

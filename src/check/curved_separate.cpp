@@ -13,7 +13,8 @@ namespace {
 constexpr double direction_tolerance = 1e-7;
 
 const std::string too_fine =
-    "whether bodies can leave in some directions, or overlap already, is finer than doubles tell curves: taut flatten "
+    "whether bodies can leave in some directions, or overlap already, is finer than doubles resolve curves: taut "
+    "flatten "
     "--inner, or --outer, makes polygons, about which it is decided";
 
 /// The difference of two directions, also across 360 degrees.

@@ -138,7 +138,7 @@ class ProfileSearch {
 void validate_profile(const ProfileOptions& options) {
   if (!(options.relative >= 1e-12 && options.relative < 1))
     throw InputError("tolerance", "it is not at least 1e-12 and below 1",
-                     "1e-9 is usual; doubles do not tell more than 1e-12");
+                     "1e-9 is usual; doubles do not resolve more than 1e-12");
   if (options.instants < 2 || options.instants > 1000000)
     throw InputError("profile", "it has " + std::to_string(options.instants) + " instants",
                      "2 to 1000000 can be asked for");

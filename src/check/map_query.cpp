@@ -116,7 +116,7 @@ MapFinding MapQuery::Impl::answered(double start, double end, const Ask& ask) {
     // Queries are short: those made after the flag was set do not begin.
     if (scope) scope->check();
     found = ask();
-    if (found.outcome == Outcome::undecided && reason.empty()) reason = "the highest precision does not tell";
+    if (found.outcome == Outcome::undecided && reason.empty()) reason = "the highest precision does not decide";
   });
   if (!stopped.empty()) {
     reason = stopped;

@@ -61,7 +61,7 @@ class MarginSearch {
     PairMargin pair;
     pair.bodies = {a, b};
     pair.free_until = instance_.end();
-    settle(PairInstance(instance_, a, b, offset_), pair);
+    resolve(PairInstance(instance_, a, b, offset_), pair);
     if (options_.all_pairs) answer_.pairs.push_back(pair);
     if (pair.outcome == Outcome::free) return;
     // Other pairs are followed a little further, so that those that come closer at the same time are detected.
@@ -70,7 +70,7 @@ class MarginSearch {
     events_.push_back(std::move(pair));
   }
 
-  void settle(const PairInstance& search, PairMargin& pair) const {
+  void resolve(const PairInstance& search, PairMargin& pair) const {
     try {
       if (spacetime::overlapping(search.geometry, search.trees(), search.segments()[0], instance_.start())) {
         pair.outcome = Outcome::overlap_at_start;

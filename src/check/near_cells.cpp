@@ -58,7 +58,7 @@ class CellsAtPose {
       for (std::size_t ring = 0; ring < bands.size(); ++ring) {
         for (std::size_t k = 0; k < bands[ring].cells().size(); ++k) {
           const curve::Cell& cell = bands[ring].cells()[k];
-          add(bands[ring].corners(k), cell.thickness, cell.settled ? nullptr : &marks[id][p][ring][k]);
+          add(bands[ring].corners(k), cell.thickness, cell.is_final ? nullptr : &marks[id][p][ring][k]);
           cells_.back().piece = &cell.piece;
         }
       }

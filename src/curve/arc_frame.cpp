@@ -92,11 +92,12 @@ CentredArc centred(const Point& from, const ArcTo& arc) {
   const WideBall rx = WideBall::exact(arc.rx), ry = WideBall::exact(arc.ry);
   const WideBall ux = x / rx, uy = y / ry;
   const WideBall reach = ux * ux + uy * uy;
-  // In units of the half-axes, which are enlarged by `scale`, the centre is beside the middle of the chord.
+  // In units of the half-axes, which are enlarged by `scale`, the centre has this distance from the middle of the
+  // chord.
   const WideBall one = WideBall::exact(1);
   const WideBall scale = sqrt(at_least(reach, 1));
-  const WideBall beside = sqrt(at_least(one / reach - one, 0)) * (arc.large == arc.sweep ? -1.0 : 1.0);
-  const WideBall cx = beside * uy, cy = -(beside * ux);
+  const WideBall offset = sqrt(at_least(one / reach - one, 0)) * (arc.large == arc.sweep ? -1.0 : 1.0);
+  const WideBall cx = offset * uy, cy = -(offset * ux);
   const WideBall ax = cx * rx, ay = cy * ry;
   const WidePoint middle = (p + q) * 0.5;
   CentredArc found;

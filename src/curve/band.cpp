@@ -101,7 +101,7 @@ std::vector<Point> Band::corners(std::size_t cell) const {
 
 bool Band::add_split(const Cell& cell, const Gate& first, const Gate& last, int halvings, std::vector<Cell>& cells,
                      std::vector<Gate>& gates) const {
-  if (halvings > 0 && !cell.settled) {
+  if (halvings > 0 && !cell.is_final) {
     if (const auto parts = split(cell, first, last, resolution_)) {
       add_split(parts->first, first, parts->gate, halvings - 1, cells, gates);
       add_split(parts->last, parts->gate, last, halvings - 1, cells, gates);
@@ -110,7 +110,7 @@ bool Band::add_split(const Cell& cell, const Gate& first, const Gate& last, int 
   }
   cells.push_back(cell);
   gates.push_back(first);
-  if (halvings > 0) cells.back().settled = true;
+  if (halvings > 0) cells.back().is_final = true;
   return false;
 }
 

@@ -62,9 +62,9 @@ void make_apart(std::vector<Band>& bands, const std::string& name, const std::ve
     for (const auto& pair : meetings) {
       bool hopeless = true;
       for (const CellId& id : pair) {
-        const bool settled = cell_of(bands, id).settled;
-        if (!settled) halvings[at(id.band)][at(id.cell)] = 1;
-        hopeless = hopeless && settled;
+        const bool is_final = cell_of(bands, id).is_final;
+        if (!is_final) halvings[at(id.band)][at(id.cell)] = 1;
+        hopeless = hopeless && is_final;
       }
       // Curves that run along each other make more cells meet, the finer these are.
       if (hopeless || count_of(bands) > enough) refuse(bands, pair, name, places);

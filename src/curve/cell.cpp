@@ -216,7 +216,7 @@ std::optional<Cell> make_cell(const Piece& piece, const Gate& first, const Gate&
 }
 
 std::optional<Split> split(const Cell& cell, const Gate& first, const Gate& last, const Resolution& resolution) {
-  if (cell.settled) return std::nullopt;
+  if (cell.is_final) return std::nullopt;
   const std::array<Piece, 2> half = halves(cell.piece);
   const Gate gate = gate_at_end(half[0], resolution);
   const std::vector<Point> outside = corners_of(cell, first, last);

@@ -33,7 +33,7 @@ struct Cell {
   Piece piece;
   std::vector<Point> left, right;  ///< corners of the walls between the gates, at most two each
   double thickness = 0;            ///< no point of one wall is farther from the other
-  bool settled = false;            ///< a line, or as fine as doubles allow
+  bool is_final = false;           ///< a line, or as fine as doubles allow
 
   bool is_line() const { return piece.is_line(); }
 };

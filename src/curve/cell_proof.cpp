@@ -8,7 +8,7 @@ namespace taut::internal::curve {
 namespace {
 
 /// Is p certainly not to the right of the line from a to b? Where a tangent is level, control points lie on the line
-/// itself, which only their coordinates tell.
+/// itself, which only their coordinates show.
 bool not_right_of(const Point& a, const Point& b, const WidePoint& p) {
   if (p.is_exact()) return orientation(a, b, p.rounded()) >= 0;
   if (a.y == b.y) return b.x > a.x ? p.y.lower() >= a.y : p.y.upper() <= a.y;

@@ -52,7 +52,7 @@ void curve::refine_to(BandedPart& part, double tolerance, const std::string& nam
       bool finer = false;
       for (const Cell& cell : band.cells()) {
         const bool thick = cell.thickness > tolerance;
-        if (thick && cell.settled)
+        if (thick && cell.is_final)
           throw InputError(name, "doubles do not allow a tolerance that small",
                            "choose one of at least 2^-40 of the largest coordinate");
         halvings.push_back(thick ? 1 : 0);

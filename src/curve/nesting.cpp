@@ -14,7 +14,7 @@ struct Ring {
   int orientation = 0, winding = 0, parent = -1, part = -1, depth = 0;
 };
 
-/// Bands that are apart: any vertex of the one's wall tells whether it is within the other's.
+/// Bands that are apart: any vertex of the one's wall shows whether it is within the other's.
 void find_parents(std::vector<Ring>& rings) {
   std::vector<std::vector<int>> around(rings.size());
   for (std::size_t k = 0; k < rings.size(); ++k) {

@@ -66,7 +66,7 @@ Level level_of(const ArcFrame& frame, const WidePoint& u, const WidePoint& p) {
   return u.y.mid == 0 ? Level::vertical : Level::horizontal;
 }
 
-/// What is exactly level at an end stays so in the control point beside it.
+/// What is exactly level at an end stays so in the control point next to it.
 void keep_level(Piece& piece) {
   for (const int end : {0, 1}) {
     WidePoint& inner = piece.control[at(end == 0 ? 1 : piece.size - 2)];

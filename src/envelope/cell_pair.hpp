@@ -1,4 +1,4 @@
-// Two bodies over a cell of joint values: apart, overlapping, or not told.
+// Two bodies over a cell of joint values: apart, overlapping, or undecided.
 #pragma once
 
 #include <optional>
@@ -17,8 +17,8 @@ struct InnerPoint {
 
 /// One pair. A cell is *free* if directions separate all ranges of edges of the one body from all of the other, for all
 /// joint values in it, and no outline is inside the other body at the middle. It *collides* if for all values some two
-/// edges cross, or a point of one body is inside the other: a vertex, or a point inside of one, which tells of bodies
-/// whose outlines lie on each other. Everything is bounded in doubles with certified errors.
+/// edges cross, or a point of one body is inside the other: a vertex, or a point inside of one, which shows this of
+/// bodies whose outlines lie on each other. Everything is bounded in doubles with certified errors.
 class CellPair {
  public:
   CellPair(const PairGeometry& geometry, const spacetime::TreePair& trees)

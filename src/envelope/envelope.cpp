@@ -257,7 +257,7 @@ class EnvelopeSearch {
     if (!answer_.witness) look_at_middles();
     answer_.outcome = answer_.witness ? Outcome::contact : answer_.undecided > 0 ? Outcome::undecided : Outcome::free;
   }
-  /// What collides may be thinner than the tolerance: single combinations tell.
+  /// What collides may be thinner than the tolerance: single combinations decide.
   void look_at_middles() {
     constexpr int most_middles = 10000;
     int tried = 0;

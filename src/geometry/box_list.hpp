@@ -29,7 +29,7 @@ struct AxisBox {
 };
 
 /// Boxes of a list in which neighbours tend to be neighbours in the plane, as cells along a curve are: so a box around
-/// each half of the list, each half of these, and so on tells most of what is far away.
+/// each half of the list, each half of these, and so on shows most of what is far away.
 class BoxList {
  public:
   BoxList() = default;

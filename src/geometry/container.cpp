@@ -13,7 +13,7 @@ namespace {
 
 using Ring = std::vector<DisplacedPoint>;
 
-/// The width of the mouth beside a displacement.
+/// The width of the mouth relative to a displacement.
 constexpr double mouth_share = 0x1p-40;
 
 /// A quarter turn clockwise, exactly: what was on top is on the right.
@@ -68,18 +68,19 @@ DisplacedPoint beside_mouth(const View& view, const DisplacedPoint& neighbour) {
 }
 
 /// Do the walls from the mouth to the ends of the box not meet each other, or the edges that come to the mouth? The
-/// hole's vertex must be on its side of the wall that ends beside it. And what is beside it is on the hole's side of
+/// hole's vertex must be on its side of the wall that ends next to it. And what is next to it is on the hole's side of
 /// the other edge, or beyond its end, where the two edges are nearly in line.
-bool is_open(const View& view, const Mouth& mouth, bool above_is_aside, const DisplacedPoint& low_end,
+bool is_open(const View& view, const Mouth& mouth, bool above_is_sideways, const DisplacedPoint& low_end,
              const DisplacedPoint& high_end) {
   const DisplacedPoint &v = view.at(0), &after = view.at(1), &before = view.at(view.hole.size() - 1);
-  const DisplacedPoint& aside = above_is_aside ? mouth.above : mouth.below;
-  if (above_is_aside ? orientation(aside, high_end, v) >= 0 : orientation(aside, low_end, v) <= 0) return false;
-  const int side = above_is_aside ? orientation(after, v, aside) : orientation(aside, v, before);
+  const DisplacedPoint& sideways = above_is_sideways ? mouth.above : mouth.below;
+  if (above_is_sideways ? orientation(sideways, high_end, v) >= 0 : orientation(sideways, low_end, v) <= 0)
+    return false;
+  const int side = above_is_sideways ? orientation(after, v, sideways) : orientation(sideways, v, before);
   if (side <= 0 && sine_at(after, v, before) < 1) return false;
   // Far from the edge's other end.
   const auto far = [&](const DisplacedPoint& end) {
-    const double way = std::max(std::fabs(aside.dx - v.dx), std::fabs(aside.dy - v.dy));
+    const double way = std::max(std::fabs(sideways.dx - v.dx), std::fabs(sideways.dy - v.dy));
     return 4 * way <= std::max(std::fabs(end.x - v.x), std::fabs(end.y - v.y));
   };
   return far(before) && far(after);

@@ -33,9 +33,9 @@ Difference difference(double a, double b) {
   return {d.hi, d.lo != 0};
 }
 
-/// Most points that doubles do not tell to turn are in line before the displacement, and differences of coordinates on
-/// a grid are numbers of a few digits. Then the input's part of the determinant is known but for its last digits, or to
-/// be zero, and what the displacement adds is its linear part, nearly. 0 where this does not tell.
+/// Most points that doubles do not decide to turn are in line before the displacement, and differences of coordinates
+/// on a grid are numbers of a few digits. Then the input's part of the determinant is known but for its last digits, or
+/// to be zero, and what the displacement adds is its linear part, nearly. 0 where this does not decide.
 int orientation_nearly_in_line(const DisplacedPoint& a, const DisplacedPoint& b, const DisplacedPoint& c) {
   const Difference ux = difference(b.x, a.x), uy = difference(b.y, a.y);
   const Difference vx = difference(c.x, a.x), vy = difference(c.y, a.y);

@@ -10,12 +10,12 @@ namespace taut::internal {
 /// Coordinates are at most 1 in magnitude, and no point is displaced by more than `room`.
 int orientation(const DisplacedPoint& a, const DisplacedPoint& b, const DisplacedPoint& c,
                 double room = displacement_room);
-/// The same, if doubles tell, else 0. If they do, the points before the displacement turn that way, too, and c is
+/// The same, if doubles decide, else 0. If they do, the points before the displacement turn that way, too, and c is
 /// farther than 2^7 `room` from the line through a and b: the determinant is more than 2^9 `room`, and ab shorter
 /// than 3.
 int orientation_in_doubles(const DisplacedPoint& a, const DisplacedPoint& b, const DisplacedPoint& c,
                            double room = displacement_room);
-/// The same as the first, and which stage told.
+/// The same as the first, and which stage decided.
 StagedSign orientation_staged(const DisplacedPoint& a, const DisplacedPoint& b, const DisplacedPoint& c,
                               double room = displacement_room);
 

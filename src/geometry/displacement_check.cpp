@@ -119,8 +119,8 @@ class RingCheck {
     return !apart(side(a, b, c), side(a, b, d)) && !apart(side(c, d, a), side(c, d, b));
   }
   /// Are c and d certainly far from the line ab, on one side of it?
-  bool beside(const DisplacedPoint& a, const DisplacedPoint& b, const DisplacedPoint& c,
-              const DisplacedPoint& d) const {
+  bool runs_along(const DisplacedPoint& a, const DisplacedPoint& b, const DisplacedPoint& c,
+                  const DisplacedPoint& d) const {
     const int s = far_side(a, b, c);
     return s != 0 && far_side(a, b, d) == s;
   }
@@ -129,7 +129,7 @@ class RingCheck {
     const DisplacedPoint &a = ring_[i], &b = ring_[next(i)], &c = ring_[j], &d = ring_[next(j)];
     if (next(i) == j) return far_side(a, b, d) != 0 && far_side(c, d, a) != 0;
     if (next(j) == i) return far_side(c, d, b) != 0 && far_side(a, b, c) != 0;
-    return beside(a, b, c, d) || beside(c, d, a, b);
+    return runs_along(a, b, c, d) || runs_along(c, d, a, b);
   }
   /// Two different edges.
   bool edges_meet(std::uint32_t i, std::uint32_t j) const {
@@ -202,7 +202,7 @@ std::optional<DisplacementFault> find_displacement_fault(const std::vector<Displ
   RingCheck check(ring, room);
   if (const auto fault = check.close_edges()) return fault;
   if (check.all_clear()) return std::nullopt;
-  // The two rings are simple and do not meet: one vertex tells which lies inside.
+  // The two rings are simple and do not meet: one vertex shows which lies inside.
   Ring original;
   original.reserve(ring.size());
   for (const DisplacedPoint& v : ring) original.push_back(before_displacement(v));

@@ -162,7 +162,7 @@ class UnionBuilder {
     if (left != begin) throw StructureError("winding numbers that do not add up");
   }
 
-  /// At a crossing the boundary goes over to the other edge: only one of the two goes on beside the outside.
+  /// At a crossing the boundary goes over to the other edge: only one of the two goes on next to the outside.
   std::vector<UnionVertex> trace(std::uint32_t e, std::size_t k) {
     std::vector<UnionVertex> ring;
     for (; edges_[e].left[k] != traced;) {

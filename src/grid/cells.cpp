@@ -130,7 +130,7 @@ class CellSweep {
 
   [[noreturn]] void too_fine(double t) const {
     throw InputError("cells",
-                     "doubles do not tell where the body is to a sixteenth of a cell, near t = " + std::to_string(t),
+                     "doubles do not decide where the body is to a sixteenth of a cell, near t = " + std::to_string(t),
                      "choose larger cells, or coordinates nearer to the origin");
   }
 

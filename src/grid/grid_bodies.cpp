@@ -61,8 +61,8 @@ class Labels {
     while (!todo.empty()) {
       const auto [x, y] = todo.back();
       todo.pop_back();
-      const std::array<std::array<int, 2>, 4> beside{{{x + 1, y}, {x - 1, y}, {x, y + 1}, {x, y - 1}}};
-      for (const auto& [u, v] : beside) {
+      const std::array<std::array<int, 2>, 4> neighbours{{{x + 1, y}, {x - 1, y}, {x, y + 1}, {x, y - 1}}};
+      for (const auto& [u, v] : neighbours) {
         if (!inside(u, v) || of_[index(u, v)] != no_cell || !taken(u, v)) continue;
         of_[index(u, v)] = count_;
         todo.push_back({u, v});
@@ -199,7 +199,7 @@ std::vector<Body> grid_bodies(const OccupancyGrid& grid) {
   const Corners corners(grid);
   std::vector<Body> all(static_cast<std::size_t>(bodies.count()));
   for (std::size_t k = 0; k < all.size(); ++k) all[k].name = "cells " + std::to_string(k + 1);
-  // The cell of each set with the lowest number tells whose it is.
+  // The cell of each set with the lowest number determines whose it is.
   std::vector<int> owner(static_cast<std::size_t>(sets.count()), no_cell);
   for (int j = 0; j < grid.height; ++j) {
     for (int i = 0; i < grid.width; ++i) {

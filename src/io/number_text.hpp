@@ -10,8 +10,8 @@ namespace taut::internal::io {
 /// The shortest decimal that reads back as the same double, as JSON. `value` must be finite.
 std::string number_text(double value);
 
-/// The instant with `usual` significant digits. Where the time from start to end is short beside its distance from time
-/// 0, there are more: as many as distinguish the instants in it as well as `usual` digits do near 0.
+/// The instant with `usual` significant digits. Where the time from start to end is short compared with its distance
+/// from time 0, there are more: as many as distinguish the instants in it as well as `usual` digits do near 0.
 std::string instant_text(double t, double start, double end, int usual);
 
 /// Reads a decimal number that starts at `*position` and moves `*position` behind it. Empty (and nothing moves) if

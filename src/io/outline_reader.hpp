@@ -23,7 +23,7 @@ struct WktRest {
   bool heights = false;          ///< do vertices have z or m?
 };
 
-/// As parse_wkt(), but what is no polygon is told instead of refused.
+/// As parse_wkt(), but what is no polygon is listed instead of refused.
 std::vector<Part> parse_wkt_polygons(std::string text, const std::string& name, const ReadLimits& limits,
                                      WktRest& rest);
 
@@ -38,7 +38,7 @@ struct GeoFeature {
   bool heights = false;              ///< do vertices have z?
 };
 
-/// Every feature by itself. What is no polygon is told instead of refused.
+/// Every feature by itself. What is no polygon is listed instead of refused.
 std::vector<GeoFeature> parse_geojson_features(std::string text, const std::string& name, const ReadLimits& limits);
 
 /// Files repeat a ring's first vertex at its end, and some repeat others where they are; a Polygon does not.

@@ -33,7 +33,7 @@ class SceneReader {
   SceneReader(const JsonDocument& document, const std::string& folder, const ReadLimits& limits)
       : document_(document), folder_(folder), limits_(limits) {}
 
-  /// Other files that people have are told by what they begin with.
+  /// Other files that people have are recognized by what they begin with.
   void refuse_geojson() const {
     if (document_.at(0).kind() != JsonKind::object || !io::has_member(document_, 0, "type")) return;
     if (io::has_member(document_, 0, "format")) return;

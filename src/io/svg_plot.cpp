@@ -41,7 +41,7 @@ std::string chart_text(double x, double y, const std::string& what, const char* 
 std::string PlotPanel::time_axis(const std::string& word) const {
   const double below = top + height;
   std::string s = "<g class=\"axis\">\n";
-  // Late instants have long names, which must fit beside each other, and into the room that charts leave on the right.
+  // Late instants have long names, which must fit next to each other, and into the room that charts leave on the right.
   constexpr double digit_width = 8, room = 24;
   const double name_width = digit_width * static_cast<double>(instant_text(t_hi, t_lo, t_hi, 6).size() + 2);
   for (const double t : round_numbers(t_lo, t_hi, std::clamp(static_cast<int>(width / name_width), 2, 10))) {

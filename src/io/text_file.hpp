@@ -1,4 +1,4 @@
-// Reading whole files, and telling people where in them something is.
+// Reading whole files, and naming a place in them.
 #pragma once
 
 #include <cstddef>

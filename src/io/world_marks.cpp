@@ -20,9 +20,9 @@ constexpr const char* distance_colour = "#6a1fb5";
 constexpr const char* free_colour = "#0f6b4f";
 constexpr double rose_radius = 38;
 
-/// Written beside a point, on the side where there is more room.
-std::string beside(const Point& p, const SvgCanvas& canvas, const std::string& text,
-                   const char* colour = contact_colour) {
+/// Text next to a point, on the side where there is more room.
+std::string label_at(const Point& p, const SvgCanvas& canvas, const std::string& text,
+                     const char* colour = contact_colour) {
   const bool right = p.x < canvas.width() / 2;
   return fmt::format(
       "<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\" font-weight=\"bold\" fill=\"{}\" stroke=\"#fff\" "
@@ -68,7 +68,7 @@ std::string circle_path(const Point& middle, double radius) {
                      fmt::arg("r", radius), fmt::arg("d", 2 * radius));
 }
 
-/// A line between the points, and a ring around them where they are too close to be told apart.
+/// A line between the points, and a ring around them where they are too close to be distinguished.
 std::string distance_mark(const SvgCanvas& canvas, const DrawnDistance& distance) {
   const Point a = canvas.pixel(distance.points[0]), b = canvas.pixel(distance.points[1]);
   std::string path = "M" + pixel_text(a) + "L" + pixel_text(b);
@@ -150,13 +150,13 @@ std::string world_marks(const Scene& scene, const WorldShapes& shapes, const std
   for (const DrawnDistance& distance : options.distances) out += distance_mark(canvas, distance);
   // Words last, so that no line crosses them.
   for (const DrawnDistance& distance : options.distances)
-    out += beside(canvas.pixel(distance.points[0]), canvas, distance.text, distance_colour);
+    out += label_at(canvas.pixel(distance.points[0]), canvas, distance.text, distance_colour);
   for (const auto& pair : options.overlaps)
-    out +=
-        beside(canvas.pixel(middle_of(shapes, poses, pair)), canvas, "overlap: " + pair_text(scene, pair[0], pair[1]));
+    out += label_at(canvas.pixel(middle_of(shapes, poses, pair)), canvas,
+                    "overlap: " + pair_text(scene, pair[0], pair[1]));
   for (const Contact& contact : options.contacts)
-    out += beside(canvas.pixel(contact.point), canvas,
-                  "contact: " + pair_text(scene, contact.vertex.body, contact.edge.body));
+    out += label_at(canvas.pixel(contact.point), canvas,
+                    "contact: " + pair_text(scene, contact.vertex.body, contact.edge.body));
   return out;
 }
 

@@ -14,8 +14,8 @@ struct BodyLook {
   const char *fill, *line;
   const char* ink;  ///< for what is written on the fill
 };
-/// Colours that follow each other differ in lightness as well as in hue, so that neighbours in the legend are told
-/// apart in grey, too. There are twelve; then they come again, and numbers tell.
+/// Colours that follow each other differ in lightness as well as in hue, so that neighbours in the legend
+/// differ in grey, too. There are twelve; then they repeat, and the numbers distinguish the bodies.
 BodyLook body_look(std::size_t body);
 inline constexpr std::size_t body_looks = 12;
 

@@ -32,7 +32,7 @@ void DormantCertificates::reserve(std::size_t room) {
   trial_.reserve(room);
 }
 
-void DormantCertificates::unsettle(CertificateId id) {
+void DormantCertificates::wake(CertificateId id) {
   dormant_[id.value] = false;
   if (listed_[id.value]) return;
   listed_[id.value] = true;
@@ -77,7 +77,7 @@ void DormantCertificates::list_open() {
   open_.clear();
   listed_.assign(certificates_.size(), false);
   for (std::size_t i = 0; i < certificates_.size(); ++i) {
-    if (certificates_[i].corner.valid() && !dormant_[i]) unsettle(CertificateId(i));
+    if (certificates_[i].corner.valid() && !dormant_[i]) wake(CertificateId(i));
   }
 }
 
@@ -125,34 +125,34 @@ bool DormantCertificates::improve(const MotionSegment& segment, double t, std::s
 
 /// Does a sample of the active set suggest that testing the region is worthwhile?
 bool DormantCertificates::worth_trying(const FrameRange& region) const {
-  std::size_t settled = 0, seen = 0;
+  std::size_t dormant = 0, seen = 0;
   for (std::size_t k = 0; k < sample_size; ++k) {
     const std::size_t i = k * certificates_.size() / sample_size;
     if (!certificates_[i].corner.valid()) continue;
     ++seen;
-    settled += settles(region, i);
+    dormant += is_dormant_in(region, i);
   }
-  return static_cast<double>(settled) >= worthwhile_share * static_cast<double>(seen);
+  return static_cast<double>(dormant) >= worthwhile_share * static_cast<double>(seen);
 }
 
 /// Makes this the current region if it makes the given share of the active set dormant.
 bool DormantCertificates::accept(const FrameRange& region, double share, std::size_t active) {
   if (!worth_trying(region)) return false;
   count_work(certificates_.size());
-  std::size_t settled = 0;
+  std::size_t dormant = 0;
   trial_.assign(certificates_.size(), false);
   for (std::size_t i = 0; i < certificates_.size(); ++i) {
     if (!certificates_[i].corner.valid()) continue;
-    trial_[i] = settles(region, i);
-    settled += trial_[i];
+    trial_[i] = is_dormant_in(region, i);
+    dormant += trial_[i];
   }
-  if (static_cast<double>(settled) < share * static_cast<double>(active)) return false;
+  if (static_cast<double>(dormant) < share * static_cast<double>(active)) return false;
   region_ = region;
   dormant_.swap(trial_);
   return true;
 }
 
-bool DormantCertificates::settles(const FrameRange& region, std::size_t i) const {
+bool DormantCertificates::is_dormant_in(const FrameRange& region, std::size_t i) const {
   const Certificate& c = certificates_[i];
   return region.keeps_sign(geometry_, CertificateFunction::of(geometry_, c.u, c.v, c.w), c.sign);
 }

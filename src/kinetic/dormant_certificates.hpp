@@ -31,7 +31,7 @@ class DormantCertificates {
     listed_.push_back(false);
   }
   /// The certificate is scheduled, and from now on it is not dormant.
-  void unsettle(CertificateId id);
+  void wake(CertificateId id);
 
   /// Allows a limited number of regions to be tried on each segment.
   void begin_segment();
@@ -60,7 +60,7 @@ class DormantCertificates {
   bool worth_trying(const FrameRange& region) const;
   bool accept(const FrameRange& region, double share, std::size_t active);
   bool accept_with_last(const FrameRange& way, std::size_t active);
-  bool settles(const FrameRange& region, std::size_t certificate) const;
+  bool is_dormant_in(const FrameRange& region, std::size_t certificate) const;
   void list_open();
 
   const PairGeometry& geometry_;

@@ -174,8 +174,8 @@ bool Engine::step(double t) {
 
 double Engine::proved_until() const {
   if (state_ != EngineState::running) return time();
-  const double settled = std::min(dormant_.until(), segment().end);
-  const double first = queue_.empty() ? settled : std::min(certificates_[queue_.top().value].lo, settled);
+  const double dormant_until = std::min(dormant_.until(), segment().end);
+  const double first = queue_.empty() ? dormant_until : std::min(certificates_[queue_.top().value].lo, dormant_until);
   return segment().time(std::max(first, reached_));
 }
 
@@ -286,7 +286,7 @@ void Engine::start_corners(const RepairReport& report, Now& now) {
   }
   for (std::size_t k = 0; k < count; ++k) {
     solver_.start_at(certificates_[fresh[k].value], now);
-    dormant_.unsettle(fresh[k]);
+    dormant_.wake(fresh[k]);
     queue_.update(fresh[k]);
   }
 }

@@ -43,8 +43,8 @@ struct KnownTilings {
 
 /// Follows a sequence of segments. Once its buffers have grown, it allocates nothing per event.
 ///
-/// An exception thrown by a checkpoint, or by Undecidable, may leave it in the middle of an event. Then it tells up to
-/// when everything is proved (reached()), and it must not be used any more.
+/// An exception thrown by a checkpoint, or by Undecidable, may leave it in the middle of an event. Then it reports up
+/// to when everything is proved (reached()), and it must not be used any more.
 class Engine {
  public:
   /// Builds the tiling at the start of the first segment, which must not be a bridge.

@@ -130,7 +130,7 @@ void FailureSolver::advance_precise(Certificate& c, const PreciseTriple& functio
   const double t = from.last().floor();
   if (t >= segment().end) return holds_until(c, segment().end);
   const double to = clock_.cell(std::max(t, segment().start)).end;
-  if (!advance_beside_end(c, function, from, to)) advance_to(c, function, from, to);
+  if (!advance_near_end(c, function, from, to)) advance_to(c, function, from, to);
 }
 
 void FailureSolver::advance_to(Certificate& c, const PreciseTriple& function, const PreciseTime& from, double to) {
@@ -143,16 +143,16 @@ void FailureSolver::advance_to(Certificate& c, const PreciseTriple& function, co
 
 /// Towards an instant of infinite speed, cells become shorter and shorter. A search from that instant takes about as
 /// long for the whole neighbourhood as for one cell.
-bool FailureSolver::advance_beside_end(Certificate& c, const PreciseTriple& function, const PreciseTime& from,
-                                       double segment_end) {
+bool FailureSolver::advance_near_end(Certificate& c, const PreciseTriple& function, const PreciseTime& from,
+                                     double segment_end) {
   const double to = end_of_neighbourhood(segment(), from.last().floor());
-  if (to <= segment_end || hopeless_beside_end_) return false;
+  if (to <= segment_end || hopeless_near_end_) return false;
   try {
     advance_to(c, function, from, to);
     return true;
   } catch (const Undecidable&) {
     // The undecidable event is a later one, which may not matter.
-    hopeless_beside_end_ = true;
+    hopeless_near_end_ = true;
     return false;
   }
 }
@@ -163,9 +163,9 @@ bool FailureSolver::pass_turn(Certificate& c, const PreciseTime& from) {
   if (c.function.level1 || from.floor() < segment().start || from.ceiling() > segment().end) return false;
   const std::optional<PlaceOfTurn> place = fast_.turn_near(c.function, from.floor());
   if (!place) return false;
-  const auto beside = precise_of(c).beside_turn(c.sign, from, place->at);
-  if (!beside) return false;
-  if (beside->failure) return isolate_on_segment(c, *beside->failure);
+  const auto found = precise_of(c).near_extremum(c.sign, from, place->at);
+  if (!found) return false;
+  if (found->failure) return isolate_on_segment(c, *found->failure);
   holds_until(c, place->until);
   return true;
 }

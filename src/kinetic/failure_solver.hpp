@@ -48,7 +48,7 @@ class FailureSolver {
   void enter(const MotionSegment& segment) {
     clock_.reset(segment);
     memory_.reset(segment);
-    hopeless_beside_end_ = false;
+    hopeless_near_end_ = false;
   }
   const MotionSegment& segment() const { return clock_.segment(); }
   const StageCounts& stages() const { return memory_.stages; }
@@ -95,7 +95,7 @@ class FailureSolver {
   void advance_hard(Certificate& c, double t);
   void advance_precise(Certificate& c, const PreciseTriple& function, const PreciseTime& from);
   void advance_to(Certificate& c, const PreciseTriple& function, const PreciseTime& from, double to);
-  bool advance_beside_end(Certificate& c, const PreciseTriple& function, const PreciseTime& from, double segment_end);
+  bool advance_near_end(Certificate& c, const PreciseTriple& function, const PreciseTime& from, double segment_end);
   bool pass_turn(Certificate& c, const PreciseTime& from);
   bool isolate_on_segment(Certificate& c, const PreciseTime& t);
   bool start_in_doubles(Certificate& c, const Now& now);
@@ -114,7 +114,7 @@ class FailureSolver {
   TaylorModelCache clock_;
   FrameMemory memory_;
   FastRoots fast_{clock_, memory_.stages};
-  bool hopeless_beside_end_ = false;  ///< on this segment
+  bool hopeless_near_end_ = false;  ///< on this segment
   std::vector<PreciseTime> pool_;
   std::vector<std::int32_t> pool_free_;
 };

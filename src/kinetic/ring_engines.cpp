@@ -42,12 +42,12 @@ const MotionSegments& RingEngines::segments_in_roles(bool exchanged) {
 }
 
 /// The ring that plays this role.
-const LoneRing& RingEngines::ring_of(const Run& run, Role role) const {
-  return set_of(run, role).lone(ring_number(run, role), offset_);
+const SingleRing& RingEngines::ring_of(const Run& run, Role role) const {
+  return set_of(run, role).single_ring(ring_number(run, role), offset_);
 }
 
 const ShapeTiling* RingEngines::tiling_of(const Run& run, Role role) const {
-  const LoneRing& ring = ring_of(run, role);
+  const SingleRing& ring = ring_of(run, role);
   return set_of(run, role).kept_of<ShapeTiling>(ring_number(run, role), offset_, role, [&] {
     return tile_shape(ring.polygon, role == Role::p ? node::p_tree : node::q_tree);
   });
@@ -146,7 +146,7 @@ std::optional<std::pair<double, double>> RingEngines::next_event(double t) {
 std::optional<VertexId> RingEngines::named(const Run& run, VertexId v, bool edge) const {
   const PairGeometry& two = run.engine->geometry();
   const Role role = two.role_of(v);
-  const LoneRing& ring = ring_of(run, role);
+  const SingleRing& ring = ring_of(run, role);
   const VertexId own(v.value - two.first(role));
   const std::optional<std::uint32_t> k = edge ? ring.edge(own) : ring.vertex(own);
   if (!k) return std::nullopt;

@@ -88,7 +88,7 @@ class RingEngines {
   static std::size_t ring_number(const Run& run, Role role) {
     return run.in_pair(role) == Role::p ? run.rings.p : run.rings.q;
   }
-  const LoneRing& ring_of(const Run& run, Role role) const;
+  const SingleRing& ring_of(const Run& run, Role role) const;
   /// The squared, scaled diameter of a ring; computed once.
   double diameter_of(Role role, std::size_t ring);
   const ShapeTiling* tiling_of(const Run& run, Role role) const;

@@ -8,7 +8,7 @@
 namespace taut::internal {
 namespace {
 
-/// A polynomial with its exact coefficients. Beside its roots doubles tell nothing of its sign, and the less the higher
+/// A polynomial with its exact coefficients. Near its roots doubles show nothing of its sign, and the less the higher
 /// its degree: there it is evaluated exactly.
 class ExactPolynomial {
  public:
@@ -106,7 +106,7 @@ Dyadic excess(const ExactPolynomial& a, double t) {
   return v.sign() < 0 ? -v - one : v - one;
 }
 
-/// Is |a| 1 at a double, or beyond, or so close to 1 that it must touch it beside the double? That is, by no more than
+/// Is |a| 1 at a double, or beyond, or so close to 1 that it must touch it next to the double? That is, by no more than
 /// it bends from double to double.
 bool touches(const ExactPolynomial& a, double t) {
   const Dyadic x = excess(a, t);
@@ -135,10 +135,10 @@ std::vector<double> extremes(const ExactPolynomial& a, double from, double to) {
       if (sign[i] * sign[i + 1] < 0) note(sign[i] < 0 ? ends[i] : ends[i + 1]);
     }
   }
-  // Beside an end of the piece, or an instant that is known, that is what touches.
-  const double beside = 0x1p-10 * (to - from);
+  // Near an end of the piece, or an instant that is known, that is what touches.
+  const double nearby = 0x1p-10 * (to - from);
   for (const double t : all) {
-    const bool known = std::any_of(found.begin(), found.end(), [&](double x) { return std::fabs(x - t) < beside; });
+    const bool known = std::any_of(found.begin(), found.end(), [&](double x) { return std::fabs(x - t) < nearby; });
     if (known || !touches(a, t)) continue;
     note(before(t));
     note(after(t));
@@ -164,7 +164,7 @@ std::vector<MotionPiece> cut_at_extremes(const MotionPiece& piece, double from, 
     MotionPiece part = piece;
     part.until = until;
     const double end = std::min(until, to), middle = start + (end - start) / 2;
-    // Beyond 1 in the middle, it is so up to the doubles beside both ends.
+    // Beyond 1 in the middle, it is so up to the doubles next to both ends.
     const bool rests = excess(a, middle).sign() > 0 || (touches(a, start) && touches(a, middle) && touches(a, end));
     if (rests) part.rotation = at_rest(a.near(middle));
     pieces.push_back(part);

@@ -47,7 +47,7 @@ LocalPolynomials::Known LocalPolynomials::Known::angle(DyadicPolynomial exact) {
   return known;
 }
 
-/// Where the angle itself is large, doubles hold little of what it is beside whole turns.
+/// Where the angle itself is large, doubles hold little of it without its whole rotations.
 void LocalPolynomials::Known::take_off_turns() {
   if (near_.empty() || !(near_[0].magnitude() > most_left_alone && near_[0].magnitude() < 0x1p300)) return;
   const Ball<RealMax> angle = ball_of<RealMax>(exact_[0]);

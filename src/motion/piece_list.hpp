@@ -18,7 +18,7 @@ class PieceList {
   /// None.
   PieceList() = default;
   PieceList(const std::vector<MotionPiece>& pieces);
-  /// As pieces_between() tells, in coordinates multiplied by 2^exponent.
+  /// As pieces_between() defines them, in coordinates multiplied by 2^exponent.
   static PieceList between(const Motion& motion, double start, double end, int exponent = 0);
 
   /// These after another piece, which holds until t.

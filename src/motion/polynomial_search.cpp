@@ -14,7 +14,7 @@ namespace {
 using Big = Ball<RealMax>;
 using Double = Ball<double>;
 
-/// Intervals that doubles look at first, and how often they are halved: they settle nearly every motion, those that
+/// Intervals that doubles look at first, and how often they are halved: they decide nearly every motion, those that
 /// reach 1 at an instant too, around which intervals get ever shorter.
 constexpr int double_intervals = 4000, double_depth = 40;
 

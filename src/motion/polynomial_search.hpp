@@ -1,4 +1,4 @@
-// Where polynomials do what a rotation must not do. Certain: what doubles cannot tell, 960 bits do.
+// Where polynomials do what a rotation must not do. Certain: what doubles cannot decide, 960 bits do.
 #pragma once
 
 #include <optional>
@@ -18,7 +18,7 @@ inline constexpr int most_intervals = 1 << 15;
 
 /// Polynomials are in powers of t - origin.
 ///
-/// An instant of [start, end] at which both polynomials are zero, or cannot be told from zero in 960 bits.
+/// An instant of [start, end] at which both polynomials are zero, or cannot be distinguished from zero in 960 bits.
 std::optional<double> common_zero(const Coefficients& a, const Coefficients& b, double origin, double start, double end,
                                   int most = most_intervals);
 

@@ -38,7 +38,7 @@ std::optional<SingularCosine> singular_at(const CosineRotation& rotation, double
 
 namespace {
 
-/// What is not told from zero is zero.
+/// What cannot be distinguished from zero is zero.
 Ball<double> rounded(const Ball<RealMax>& x) {
   const double mid = RealTraits<RealMax>::to_double(x.mid), size = std::fabs(mid);
   if (!(size > x.rad)) return Ball<double>(0, detail::inflate(x.rad + size));

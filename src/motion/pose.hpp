@@ -65,7 +65,7 @@ J power(const J& base, std::size_t exponent) {
   return product;
 }
 
-/// A polynomial over a stretch of time, about its middle. Beside 1 a cosine's range decides how long stretches can be,
+/// A polynomial over a stretch of time, about its middle. Near 1 a cosine's range decides how long stretches can be,
 /// and in powers of the time since somewhere else it would be as wide as if the cosine were steep there.
 template <class J, class Real>
 J about_middle(BallCoefficients<Real> c, const Ball<Real>& t) {
@@ -203,7 +203,7 @@ Pose<Real> pose(const MotionPiece& piece, const Ball<Real>& t) {
   return pose_of<Jet<Real>>(piece, LocalTime<Real>(t));
 }
 
-/// The pose at an instant, with precise numbers where doubles tell nothing of it: beside 1, a cosine that is a sum of
+/// The pose at an instant, with precise numbers where doubles show nothing of it: near 1, a cosine that is a sum of
 /// large terms leaves the sine but a few digits.
 Pose<double> sharp_pose(const MotionPiece& piece, double t);
 
@@ -222,7 +222,7 @@ inline bool turns(const PieceChain& chain) {
   return std::any_of(chain.begin(), chain.end(), [](const MotionPiece& p) { return turns(p); });
 }
 
-/// axis(link, xx, xy) tells x of the rotation of one of the pieces.
+/// axis(link, xx, xy) returns x of the rotation of one of the pieces.
 template <class J, class Time, class Axis>
 PoseOf<J> pose_of(const PieceChain& chain, const Time& t, const Axis& axis) {
   const auto pose_of_link = [&](std::size_t link) {

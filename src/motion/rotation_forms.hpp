@@ -1,4 +1,4 @@
-// What every form of rotation has to tell of itself. A program with a new form in Rotation does not compile before it
+// What every form of rotation has to define. A program with a new form in Rotation does not compile before it
 // is answered for here, in rotation_jet() (pose.hpp), in validate_motion.cpp and where scenes are
 // read and written.
 #pragma once

@@ -86,7 +86,7 @@ class PieceCheck {
     try {
       return search();
     } catch (const SearchExhausted&) {
-      throw InputError(place_, "the rotation is too intricate to tell whether it is well defined",
+      throw InputError(place_, "the rotation is too intricate to decide whether it is well defined",
                        "divide the motion into pieces, or lower the degree");
     }
   }

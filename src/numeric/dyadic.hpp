@@ -63,7 +63,7 @@ Ball<Real> ball_of(const Dyadic& x) {
   return Ball<Real>(middle, detail::inflate(2 * detail::rounding(middle)));
 }
 
-/// The nearest double, or one beside it; 0 if it would be infinite.
+/// The nearest double, or one next to it; 0 if it would be infinite.
 double nearest_double(const Dyadic& x);
 
 /// Coefficients in ascending order. The last one is nonzero; the zero polynomial has none.

@@ -206,7 +206,7 @@ Jet<Real> polynomial_range(const BallPolynomial<Real>& c, const Ball<Real>& t) {
 
 /// Does the range decide the sign of the value or, over an interval, that of the slope?
 template <class Real>
-bool tells(const Jet<Real>& range, const Ball<Real>& t) {
+bool is_decisive(const Jet<Real>& range, const Ball<Real>& t) {
   return range.v.sign() != 0 || (t.rad != 0 && range.d.sign() != 0);
 }
 
@@ -222,11 +222,11 @@ bool is_hidden_by_last(const BallPolynomial<Real>& c, const Ball<Real>& range, c
 /// cancellation has taken place in them already. Rounded to doubles, they decide over most balls, at a tenth of the
 /// cost.
 template <class Real>
-std::optional<Jet<Real>> telling_range_in_doubles(const BallPolynomial<Real>& c, const Ball<Real>& t) {
+std::optional<Jet<Real>> decisive_range_in_doubles(const BallPolynomial<Real>& c, const Ball<Real>& t) {
   const Jet<double> rough = polynomial_range(detail::in_doubles(c), detail::in_doubles(t));
   const auto same = [](const Ball<double>& x) { return Ball<Real>(Real(x.mid), x.rad); };
   const Jet<Real> range{same(rough.v), same(rough.d), same(rough.dd)};
-  return tells(range, t) ? std::optional(range) : std::nullopt;
+  return is_decisive(range, t) ? std::optional(range) : std::nullopt;
 }
 
 /// The value alone.

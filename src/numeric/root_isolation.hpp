@@ -28,8 +28,8 @@ constexpr std::uint64_t work_of_step = 9;
 /// that of its slope.
 template <class Function, class Real>
 Jet<Real> range_of(const Function& f, const Ball<Real>& t) {
-  if constexpr (requires { f.telling_range(t); }) {
-    return f.telling_range(t);
+  if constexpr (requires { f.decisive_range(t); }) {
+    return f.decisive_range(t);
   } else {
     return f(t);
   }

@@ -19,7 +19,7 @@ enum class Stage : std::uint8_t {
   doubles,      ///< with an error bound
   first_order,  ///< doubles that include the displacement, or on the part that is linear in it
   exact,        ///< sums of doubles
-  beside,       ///< doubles, from the root of a nearly proportional certificate function
+  relative,     ///< doubles, from the root of a nearly proportional certificate function
   fixed,        ///< fixed-point numbers
   precise,      ///< balls of the first of the Precisions; the others follow
 };
@@ -34,7 +34,7 @@ constexpr Stage next_precise(Stage stage) {
   return stage < Stage::precise ? Stage::precise : static_cast<Stage>(static_cast<int>(stage) + 1);
 }
 /// The next stage for instants and their order, which may be known relative to another instant.
-constexpr Stage next_closer(Stage stage) { return stage < Stage::beside ? Stage::beside : next_precise(stage); }
+constexpr Stage next_closer(Stage stage) { return stage < Stage::relative ? Stage::relative : next_precise(stage); }
 
 /// Runs the generic lambda with a value of the number type of a stage at high precision.
 template <int Precision = 0, class Action>

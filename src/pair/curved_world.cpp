@@ -135,7 +135,7 @@ std::size_t CurvedWorld::mark_vertex(CurveSide side, const VertexRef& vertex, Ha
       static_cast<std::size_t>(band.sources(part.left_is(ring, side))[static_cast<std::size_t>(vertex.index)].cell);
   std::size_t count = 0;
   for (const std::size_t k : {(cell + n - 1) % n, cell, (cell + 1) % n}) {
-    if (band.cells()[k].settled || marks[body][p][ring][k] != 0) continue;
+    if (band.cells()[k].is_final || marks[body][p][ring][k] != 0) continue;
     marks[body][p][ring][k] = 1;
     ++count;
   }

@@ -37,13 +37,13 @@ class CurvedWorld {
   /// Halves what is thicker until nothing is. Throws InputError where doubles do not allow it.
   void refine_to(double tolerance);
 
-  /// Names a feature of polygons() by its segment; it tells how thick the cell is.
+  /// Names a feature of polygons() by its segment; returns how thick the cell is.
   double name_curve(CurveSide side, VertexRef& vertex) const;
   double name_curve(CurveSide side, EdgeRef& edge) const;
   /// Of both features of a contact; the tolerance at the thicker one.
   double name_curves(CurveSide side, Contact& contact) const;
 
-  /// Of a vertex of polygons(): marks its cell and the ones beside it.
+  /// Of a vertex of polygons(): marks its cell and its neighbours.
   std::size_t mark_vertex(CurveSide side, const VertexRef& vertex, Halvings& marks) const;
 
   double tolerance() const;

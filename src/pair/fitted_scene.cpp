@@ -20,7 +20,7 @@ namespace {
 /// stay well below 0.05 times that.
 constexpr double least_share = 0x1p-40;
 
-/// As short as tells it from other doubles, or nearly.
+/// As short as distinguishes it from other doubles, or nearly.
 std::string number_of(double x) {
   for (int digits = 6;; ++digits) {
     std::ostringstream s;

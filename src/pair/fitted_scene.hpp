@@ -16,7 +16,7 @@ namespace taut::internal {
 class FittedScene {
  public:
   /// The scene must be valid. Throws InputError where a body has features that are finer than the fit, with the place,
-  /// or where `fit` is below what doubles tell. Boundaries that may lie outside of those meant by as much as `excess`
+  /// or where `fit` is below what doubles decide. Boundaries that may lie outside of those meant by as much as `excess`
   /// move by so much more.
   FittedScene(const Scene& scene, double fit, double excess = 0);
 

@@ -57,7 +57,7 @@ struct GivenRing {
 class GrownRing {
  public:
   GrownRing(const Polygon& ring, double by, std::uint64_t seed) : by_(by), seed_(seed) {
-    // A vertex moves by no more than so many times `by`, and edges beside one that others than it cut off are longer.
+    // A vertex moves by no more than so many times `by`, and edges next to one that others than it cut off are longer.
     constexpr double longest_way = 6, least_room = 24;
     const Displacement grown = displace(ring, Offset::outward, by, seed);
     const auto n = static_cast<std::uint32_t>(ring.size());
@@ -92,7 +92,7 @@ class GrownRing {
     return random_between(seed_ + 8 * k + which + 0x51ed27, lo * by_, hi * by_);
   }
   /// A sharp corner is cut off. Into one without room the ring goes by a loop that winds around nothing that the edges
-  /// beside it do not.
+  /// next to it do not.
   void go_round(const Corner& corner, std::uint32_t k) {
     const Vector in = between(corner.before, corner.at), on = between(corner.at, corner.after);
     const Vector along_in = scaled(in, 1 / length_of(in)), along_on = scaled(on, 1 / length_of(on));
@@ -117,7 +117,7 @@ struct NamedVertex {
 };
 using NamedRing = std::vector<NamedVertex>;
 
-/// Takes away vertices beside edges that are shorter than the tolerance, as long as each one that is gone stays within
+/// Takes away vertices next to edges that are shorter than the tolerance, as long as each one that is gone stays within
 /// it.
 class Smoother {
  public:

@@ -26,9 +26,9 @@ struct JoinedPart {
 /// of the union's boundary, and parts that come closer to each other than an eighth of that count as touching.
 ///
 /// Parts are grown by about a sixteenth of the tolerance, each edge by a random share of it: then those that touch
-/// overlap, no three edges meet in a point, and the union is exact. Seams end in steps as high as that; vertices beside
-/// edges shorter than the tolerance go, if the boundary stays within it. Throws InputError where a part is thinner than
-/// the tolerance. The body must be valid, and the tolerance at least 2^-46 of its coordinates.
+/// overlap, no three edges meet in a point, and the union is exact. Seams end in steps as high as that; vertices next
+/// to edges shorter than the tolerance go, if the boundary stays within it. Throws InputError where a part is thinner
+/// than the tolerance. The body must be valid, and the tolerance at least 2^-46 of its coordinates.
 std::optional<std::vector<JoinedPart>> joined_parts(const Body& body, BodyId id, double tolerance);
 
 }  // namespace taut::internal

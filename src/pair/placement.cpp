@@ -102,7 +102,7 @@ int Placement::orientation(VertexId a, VertexId b, VertexId c) const {
   return close_orientation(a, b, c);
 }
 
-/// Where the bound for the largest distances does not tell.
+/// Where the bound for the largest distances does not decide.
 int Placement::close_orientation(VertexId a, VertexId b, VertexId c) const {
   const std::uint32_t np = geometry_->np, n = size();
   const auto owner = [np, n](VertexId v) { return v.value < np ? 0 : (v.value < n ? 1 : 2); };

@@ -55,7 +55,7 @@ class Placement {
   /// How the positions of P (of Q) come about, up to position_error().
   const RoundedPose& pose_p() const { return pose_p_; }
   const RoundedPose& pose_q() const { return pose_q_; }
-  /// Which told where doubles did not.
+  /// The stage that decided where doubles did not.
   const StageCounts& stages() const { return stages_; }
 
  private:
@@ -82,7 +82,7 @@ class Placement {
   double orientation_bound(double products, double differences, double coordinate) const;
   int close_orientation(VertexId a, VertexId b, VertexId c) const;
   int precise_orientation(VertexId a, VertexId b, VertexId c) const;
-  /// The sign of what `quantity` makes of a zero of a number's type, where doubles do not tell it.
+  /// The sign of what `quantity` makes of a zero of a number's type, where doubles do not decide it.
   template <class Quantity>
   int precise_sign(const char* what, const Quantity& quantity) const;
 
@@ -101,8 +101,8 @@ class Placement {
   static std::tuple<std::optional<PoseIn<FixedBall>>, std::optional<PoseIn<Ball<Reals>>>...> one_each(
       const std::tuple<Reals...>&);
   mutable decltype(one_each(Precisions())) poses_;  ///< made when first asked for
-  /// Positions in numbers of a fixed length, each in the one place that the vertex tells: vertices that lie in one line
-  /// are asked about in many threes.
+  /// Positions in numbers of a fixed length, each in the one place that the vertex determines: vertices that lie in one
+  /// line are asked about in many threes.
   struct Held {
     VertexId vertex;
     FixedBall x, y;

@@ -143,11 +143,11 @@ SharedPolygon RingSet::displace_rings(Offset offset) const {
   return std::make_shared<const DisplacedPolygon>(std::move(points), std::move(spans));
 }
 
-const LoneRing& RingSet::lone(std::size_t ring, Offset offset) const {
+const SingleRing& RingSet::single_ring(std::size_t ring, Offset offset) const {
   const SharedPolygon& all = displaced(offset);
   const std::lock_guard lock(mutex_);
-  const auto [place, fresh] = lone_[index_of(offset)].try_emplace(ring);
-  LoneRing& result = place->second;
+  const auto [place, fresh] = single_rings_[index_of(offset)].try_emplace(ring);
+  SingleRing& result = place->second;
   if (!fresh && result.polygon) return result;
   const UnmeteredScope making;
   const RingMap& map = maps_[ring];

@@ -38,7 +38,7 @@ struct RingMap {
 };
 
 /// One displaced ring of a body as a simple polygon: an outline as it is, a hole as the material around it.
-struct LoneRing {
+struct SingleRing {
   SharedPolygon polygon;
   std::optional<Container> container;
   std::uint32_t offset = 0;  ///< of the ring's first vertex among those of the body
@@ -94,7 +94,7 @@ class RingSet {
   /// Displaced towards the material, or away from it. Throws InputError where a feature is finer than the displacement.
   const SharedPolygon& displaced(Offset offset) const;
   /// One of them alone; made when first asked for. Throws Undecidable where a hole's corners are all too sharp for it.
-  const LoneRing& lone(std::size_t ring, Offset offset) const;
+  const SingleRing& single_ring(std::size_t ring, Offset offset) const;
   /// What the spacetime engine makes of the displaced rings, once: they are displaced by then. It is kept here, or with
   /// the shape if that was prepared.
   template <class T, class Make>
@@ -150,7 +150,7 @@ class RingSet {
   mutable std::array<SharedPolygon, 2> displaced_;
   mutable std::array<std::shared_ptr<const ShapeInRole>, 2> in_role_;  ///< of a prepared shape
   mutable std::array<std::shared_ptr<const void>, 2> kept_;
-  mutable std::array<std::map<std::size_t, LoneRing>, 2> lone_;
+  mutable std::array<std::map<std::size_t, SingleRing>, 2> single_rings_;
   mutable std::array<std::map<std::pair<std::size_t, Role>, std::shared_ptr<const void>>, 2> kept_of_;
 };
 

@@ -28,7 +28,7 @@ void validate_range(const ShapeFacts& a, const ShapeFacts& b) {
   const double least = std::min(a.least, b.least), largest = std::max(a.largest, b.largest);
   if (largest > 0 && least < largest * 0x1p-400)
     throw InputError("bodies", "the coordinates differ in magnitude by more than 2^400",
-                     "coordinates that small beside the others can only be rounding noise: make them 0");
+                     "coordinates that small compared with the others can only be rounding noise: make them 0");
 }
 
 }  // namespace taut::internal

@@ -123,7 +123,7 @@ void ApartChecker::check_incidence(const Incidence& incidence, int why, const Ha
       stays_separated_in_windows(pair_.geometry, incidence, as_said, windows_, time, end) == SeparationInWindow::yes)
     return;
   if (!stays_separated(pair_.geometry, lifetimes_, incidence, as_said, time.from, end))
-    throw ProofError("a vertex does not stay aside of an edge");
+    throw ProofError("a vertex does not stay off an edge");
 }
 
 }  // namespace taut::internal::proof

@@ -8,7 +8,7 @@
 
 namespace taut::internal::proof {
 
-/// A stretch of a segment's parameter that came of halving a longer one; the number tells all of them apart.
+/// A stretch of a segment's parameter that came of halving a longer one; the number identifies it.
 struct HalvedTime {
   double from, to;
   std::uint64_t number = 1;
@@ -44,8 +44,8 @@ class HalvedWindows {
   std::unordered_map<std::uint64_t, std::optional<FrameModel>> models_;  ///< nothing where it was not sharp
 };
 
-/// Does the vertex stay aside of the edge all over that stretch, for one of the first four reasons? As far as the
-/// motion's second order tells, over the stretch or over parts of it, which are halved a few times at most: not where
+/// Does the vertex stay off the edge all over that stretch, for one of the first four reasons? As far as the
+/// motion's second order shows, over the stretch or over parts of it, which are halved a few times at most: not where
 /// a contact is in the stretch, which is between two doubles.
 SeparationInWindow stays_separated_in_windows(const PairGeometry& geometry, const Incidence& incidence,
                                               SeparationReason why, HalvedWindows& windows, const HalvedTime& time,

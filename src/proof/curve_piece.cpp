@@ -37,7 +37,7 @@ CurvePiece bezier(const std::vector<Point>& points, int segment) {
   return piece;
 }
 
-/// Where the tangents of the ends meet. Beside the end of an axis, it is on the same level, exactly.
+/// Where the tangents of the ends meet. At the end of an axis, it is on the same level, exactly.
 CurvePoint corner_of(const CurvePiece& piece) {
   const CurvePoint &u = piece.first, &v = piece.last;
   const CurveNumber below = CurveNumber::exact(1) + (u.x * v.x + u.y * v.y);

@@ -51,7 +51,7 @@ CurvePoint middle_of(const CurvePoint& a, const CurvePoint& b) {
 
 CertainSign side_of(const CurvePoint& a, const CurvePoint& b, const CurvePoint& c) {
   if (same(a, b) || same(b, c) || same(a, c)) return 0;
-  // Along an axis, one coordinate tells, and may do so exactly where the other one is not known so well.
+  // Along an axis, one coordinate decides, and may do so exactly where the other one is not known so well.
   if (same(a.y, b.y)) return product(order_of(b.x, a.x), order_of(c.y, a.y));
   if (same(a.x, b.x)) return product(order_of(b.y, a.y), order_of(a.x, c.x));
   const int sign = ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)).sign();

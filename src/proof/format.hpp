@@ -1,4 +1,4 @@
-// What a proof log is made of; docs/proof-format.md tells it in full.
+// What a proof log is made of; docs/proof-format.md describes it in full.
 #pragma once
 
 #include <cmath>

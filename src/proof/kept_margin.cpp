@@ -15,7 +15,7 @@ bool stays_negative(const MotionSegment& segment, const Function& f, double from
   return !first_change<Real>(segment, f, -1, PreciseTime::between(from, from), to, stage);
 }
 
-/// ask(zero, stage) as at_some_stage() has it, in doubles first, which nearly always tell. False if none does.
+/// ask(zero, stage) as at_some_stage() has it, in doubles first, which nearly always decide. False if none does.
 template <class Ask>
 bool holds_at_some_stage(const Ask& ask) {
   try {

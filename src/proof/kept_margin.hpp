@@ -8,7 +8,7 @@
 namespace taut::internal::proof {
 
 /// Two bodies that do not overlap are closer than a margin only if two of their vertices are, or if a vertex is that
-/// close in front of an edge beside which it is. So of two edges, each of which stands for its first vertex, three
+/// close in front of an edge onto which it projects. So of two edges, each of which stands for its first vertex, three
 /// things are to be shown: the two vertices, and each vertex and the other edge.
 class KeptMargin {
  public:

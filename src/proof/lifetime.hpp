@@ -41,13 +41,13 @@ class Lifetimes {
   bool holds(const Corner& corner, const Instant& until);
   /// The same for any form. `own`: `until` is a root of this form.
   bool holds(const SignedFunction& function, const Instant& until, bool own);
-  /// The same, as far as doubles can tell: nothing is known where they cannot.
+  /// The same, as far as doubles can show: nothing is known where they cannot.
   bool holds_in_doubles(const SignedFunction& function, const Instant& until, bool own);
   /// Whenever a vertex is on an edge's line, which is what the form says, from `from` on and before `until`, or then if
   /// that is no event: is it behind one of the edge's ends? Throws Undecidable.
   bool behind_at_roots(const CertificateFunction& line, double from, const Instant& until) const;
   /// Is a failure as near to the time that a log gives for it as it has to be? An enclosure in doubles can be wide:
-  /// where it does not tell, a finer one does.
+  /// where it does not decide, a finer one does.
   bool is_near(const Instant& event, double about) const;
   /// Is `a` certainly before `b`, or are they one?
   bool in_order(const Instant& a, const Instant& b);

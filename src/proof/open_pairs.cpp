@@ -48,7 +48,7 @@ WindowBoxes::WindowBoxes(const VerifierScene& scene, double room) : room_(room *
   }
 }
 
-/// Are boxes shorter along x than along y, beside how far they are spread?
+/// Are boxes shorter along x than along y, relative to how far they are spread?
 bool WindowBoxes::sweep_along_x() const {
   double long_x = 0, long_y = 0, lo_x = INFINITY, lo_y = INFINITY, hi_x = -INFINITY, hi_y = -INFINITY;
   for (const BoxedBody& b : boxes_) {

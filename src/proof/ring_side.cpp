@@ -13,7 +13,7 @@ namespace {
 
 /// Of halving a piece of a curve.
 constexpr int deepest_piece = 60;
-/// In units of checkpoint(): a piece beside some edges.
+/// In units of checkpoint(): a piece next to some edges.
 constexpr std::uint64_t work_of_piece = 50;
 
 /// Where the signs are those of one side, and not all of them zero: that side. Else 0.
@@ -77,7 +77,7 @@ class SideTest {
   }
 
   std::vector<NamedChord> run(const std::vector<CurvePiece>& curve) {
-    for (const CurvePiece& piece : curve) settle(piece, 0);
+    for (const CurvePiece& piece : curve) resolve(piece, 0);
     if (side_ == RingSide::around) require_winding();
     return std::move(chords_);
   }
@@ -88,11 +88,11 @@ class SideTest {
     std::optional<int> winding = 0;
   };
 
-  void settle(const CurvePiece& piece, int depth) {
+  void resolve(const CurvePiece& piece, int depth) {
     checkpoint(work_of_piece);
     if (piece.is_line() ? is_edge(piece) : is_clear(piece)) return take(piece);
     if (piece.is_line() || depth == deepest_piece) fail(piece);
-    for (const CurvePiece& half : halves_of(piece)) settle(half, depth + 1);
+    for (const CurvePiece& half : halves_of(piece)) resolve(half, depth + 1);
   }
 
   /// S1. The ends of straight segments are doubles.

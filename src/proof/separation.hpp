@@ -24,7 +24,7 @@ inline constexpr std::uint8_t along_p = 8, along_q = 12, direction = 64, directi
 
 /// Why a vertex does not meet an edge. The first four are of the edge itself: on which side of its line the vertex
 /// stays, or that it is behind one of its ends. Where a vertex comes to a vertex, all of these may change at once, and
-/// a line next to them tells more: that of the edge before or after, which has the edge on its one side and the vertex
+/// a line next to them shows more: that of the edge before or after, which has the edge on its one side and the vertex
 /// on the other; or that of an edge at the vertex, which has all of the edge on one side. The last one is for corners
 /// that pass each other between two doubles.
 enum class SeparationReason : std::uint8_t {
@@ -58,7 +58,7 @@ struct Incidence {
 /// Where a vertex is in its body's frame, without the displacement.
 inline Vector place(const PairGeometry& g, VertexId v) { return {g.point(v).x, g.point(v).y}; }
 
-/// Where a vertex is that stays aside of the edge from a to b for one of the first four reasons: the points from which
+/// Where a vertex is that stays off the edge from a to b for one of the first four reasons: the points from which
 /// the way to it has a positive product with the normal.
 struct HalfPlane {
   Vector normal, from;
@@ -72,20 +72,20 @@ struct KeptFunctions {
 };
 KeptFunctions kept_functions(const PairGeometry& geometry, const Incidence& incidence, SeparationReason why);
 
-/// Does the vertex stay aside, for that reason, over all of [from, until]? Where a form is that of `until`, not at that
-/// very instant: there the vertex has come to the other edge. Throws Undecidable.
+/// Does the vertex stay off it, for that reason, over all of [from, until]? Where a form is that of `until`, not at
+/// that very instant: there the vertex has come to the other edge. Throws Undecidable.
 bool stays_separated(const PairGeometry& geometry, Lifetimes& lifetimes, const Incidence& incidence,
                      SeparationReason why, double from, const Instant& until);
-/// The same for one of the first four reasons, as far as the motion's second order over the window tells.
+/// The same for one of the first four reasons, as far as the motion's second order over the window shows.
 enum class SeparationInWindow : std::uint8_t {
   yes,
   no,    ///< in the middle of the window it is on the other side
-  open,  ///< shorter windows may tell more
+  open,  ///< shorter windows may show more
   even,  ///< nor they: all over the window, it is on neither side by more than rounding
 };
 SeparationInWindow stays_separated_in_window(const PairGeometry& geometry, const Incidence& incidence,
                                              SeparationReason why, const MotionWindow& window);
-/// The same for any of them, as far as doubles tell.
+/// The same for any of them, as far as doubles show.
 bool stays_separated_in_doubles(const PairGeometry& geometry, Lifetimes& lifetimes, const Incidence& incidence,
                                 SeparationReason why, double from, const Instant& until);
 

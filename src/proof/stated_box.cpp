@@ -44,7 +44,7 @@ class BodyReach {
     const double to_x = x.rad + wide + rounding, to_y = y.rad + high + rounding;
     return {x.mid - to_x, y.mid - to_y, x.mid + to_x, y.mid + to_y};
   }
-  /// Does it stay within the box, as far as some halvings tell?
+  /// Does it stay within the box, as far as some halvings show?
   bool within(const BoxedBody& box, const PieceChain& chain, double from, double to, int halvings) const {
     checkpoint();
     if (contains(box, over(chain, from, to))) return true;

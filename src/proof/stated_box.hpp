@@ -44,10 +44,10 @@ StatedBox read_box(ByteReader& in);
 
 /// Does everything that is nearer to the body than `room`, along x or y, stay within the box at all instants of that
 /// time? At a joint also where a part of the chain of motions, the outermost ones, is before it still: from there
-/// bodies go straight to where they are after it. False where that is so, but by so little that doubles do not tell.
+/// bodies go straight to where they are after it. False where that is so, but by so little that doubles do not decide.
 bool stays_within(const VerifierBody& body, const WorldTime& time, double room, const StatedBox& box);
 
-/// A box in which the body, without room around it, stays; nothing where its motion is too wild to tell.
+/// A box in which the body, without room around it, stays; nothing where its motion is too wild to decide.
 std::optional<BoxedBody> box_around(const VerifierBody& body, const WorldTime& time);
 
 /// Does what is nearer than `room` to such a box stay within a stated one? Then stays_within() says so of the body.

@@ -68,7 +68,7 @@ class StretchOfSegments {
   }
 
   /// Does the corner certainly have this sign at all times of the stretch?
-  bool settles(VertexId u, VertexId v, VertexId w, int sign) const {
+  bool decides(VertexId u, VertexId v, VertexId w, int sign) const {
     checkpoint();
     return range_ && range_->keeps_sign(geometry_, CertificateFunction::of(geometry_, u, v, w), sign);
   }

@@ -118,7 +118,7 @@ class Verifier {
   }
 
   bool is_dormant(HalfedgeId h) const {
-    return stretch_.settles(map_.origin(h), map_.target(h), map_.target(map_.next(h)), map_.sign(h));
+    return stretch_.decides(map_.origin(h), map_.target(h), map_.target(map_.next(h)), map_.sign(h));
   }
 
   void end_segment() {
@@ -193,7 +193,7 @@ class Verifier {
       result_.free_until = segment().time(t);
       return;
     }
-    // The next event may be at the same instant, as far as doubles can tell: the tiling is good up to the last one.
+    // The next event may be at the same instant, as far as doubles can show: the tiling is good up to the last one.
     for (const HalfedgeId h : watched_) {
       if (!births_[h.value].is(last_)) check_holds(h, last_);
     }

@@ -37,7 +37,7 @@ std::size_t DistanceFunction::search(double from, double to, spacetime::Nearest&
 
 /// Where doubles leave a gap below the least distance, as where a body rotates with infinite speed, queries about
 /// margins close it.
-void DistanceFunction::settle(double from, double to, spacetime::Nearest& best) const {
+void DistanceFunction::resolve(double from, double to, spacetime::Nearest& best) const {
   double unresolved = INFINITY;
   for (const PairDistance* pair : pairs_) {
     if (!(best.unresolved < tolerance_.least(best.distance))) return;
@@ -60,7 +60,7 @@ DistanceAt DistanceFunction::at(double t) const {
   spacetime::Nearest best;
   search(t, t, best);
   const bool touches = may_touch(t, t);
-  if (!touches) settle(t, t, best);
+  if (!touches) resolve(t, t, best);
   return {t, touches ? 0 : lower_end(best), std::ldexp(best.distance, -exponent_)};
 }
 
@@ -68,7 +68,7 @@ double DistanceFunction::least(double from, double to) const {
   if (may_touch(from, to)) return 0;
   spacetime::Nearest best;
   search(from, to, best);
-  settle(from, to, best);
+  resolve(from, to, best);
   return lower_end(best);
 }
 

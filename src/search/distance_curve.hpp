@@ -33,7 +33,7 @@ class DistanceFunction {
   double least(double from, double to) const;
   /// Searches all pairs, and returns the index of the nearest one.
   std::size_t search(double from, double to, spacetime::Nearest& best) const;
-  void settle(double from, double to, spacetime::Nearest& best) const;
+  void resolve(double from, double to, spacetime::Nearest& best) const;
   bool may_touch(double from, double to) const;
   bool overlap_throughout(double from, double to) const;
   double lower_end(const spacetime::Nearest& best) const;

@@ -104,15 +104,15 @@ void WorldSearch::cover(double from, double to, const std::vector<int>& bodies, 
     cover(middle, to, rest, &here, depth + 1);
   }
   std::sort(now.begin(), now.end());
-  to_settle_ += now.size();
+  to_resolve_ += now.size();
   for (const auto& [a, b] : now) {
-    report_parts("pairs in a stretch of time", decided_++, to_settle_);
-    settle(pair(a, b), from, to);
+    report_parts("pairs in a stretch of time", decided_++, to_resolve_);
+    resolve(pair(a, b), from, to);
   }
 }
 
 /// Searches the pair's first contact within the window, if it matters.
-void WorldSearch::settle(PairSolver& pair, double from, double to) {
+void WorldSearch::resolve(PairSolver& pair, double from, double to) {
   const double end = all_ ? to : std::min(to, stop_);
   if (end < from) return;
   pair.ask(from, end);

@@ -46,7 +46,7 @@ class WorldSearch {
   PairSolver& pair(int a, int b);
   void search_single_pair();
   void cover(double from, double to, const std::vector<int>& bodies, const DecidedPairs* above, int depth);
-  void settle(PairSolver& pair, double from, double to);
+  void resolve(PairSolver& pair, double from, double to);
   bool over(double t) const { return !all_ && t > stop_; }
 
   const Instance& instance_;
@@ -56,7 +56,7 @@ class WorldSearch {
   EventBudget budget_;
   std::map<std::pair<int, int>, std::unique_ptr<PairSolver>> pairs_;
   double stop_, proved_;
-  std::uint64_t decided_ = 0, to_settle_ = 0;  ///< pairs in windows, for progress reports
+  std::uint64_t decided_ = 0, to_resolve_ = 0;  ///< pairs in windows, for progress reports
 };
 
 }  // namespace taut::internal

@@ -49,9 +49,9 @@ const RelativeRoot& ExpansionCache::near_of(Place& place, const FrameExpansion& 
   return place.near;
 }
 
-const RootOfExpansion* ExpansionCache::root_beside(const FrameExpansion& frame, const MotionSegment& segment,
-                                                   const PairGeometry& g, const CertificateFunction& function,
-                                                   double enough) {
+const RootOfExpansion* ExpansionCache::root_near(const FrameExpansion& frame, const MotionSegment& segment,
+                                                 const PairGeometry& g, const CertificateFunction& function,
+                                                 double enough) {
   if (roots_noted_ == 0) return nullptr;
   Place& place = place_of(frame, function);
   if (place.root && place.root->error < enough) return &*place.root;
@@ -65,7 +65,7 @@ const RootOfExpansion* ExpansionCache::root_beside(const FrameExpansion& frame, 
   // The root noted last is the nearest.
   for (std::uint64_t k = roots_noted_; k-- > std::max(seen, roots_noted_ - std::min(roots_noted_, most));) {
     const KnownRoot& known = kept_->roots[static_cast<std::size_t>(k % most)];
-    if (!near.is_beside(known.function)) continue;
+    if (!near.has_same_reference(known.function)) continue;
     const auto distance = near.distance_from(frame, segment, known);
     if (!distance || !(distance->error < enough)) continue;
     place.root = RootOfExpansion{known.at_distance(*distance), near.slope_sign(), distance->error};

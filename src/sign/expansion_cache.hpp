@@ -38,8 +38,8 @@ class ExpansionCache {
   const FixedPointExpansion& of(const FrameExpansion& frame, const MotionSegment& segment, const PairGeometry& g,
                                 const CertificateFunction& function);
   /// The root within reach, if a known root determines it with an error below `enough`; valid until the next call.
-  const RootOfExpansion* root_beside(const FrameExpansion& frame, const MotionSegment& segment, const PairGeometry& g,
-                                     const CertificateFunction& function, double enough);
+  const RootOfExpansion* root_near(const FrameExpansion& frame, const MotionSegment& segment, const PairGeometry& g,
+                                   const CertificateFunction& function, double enough);
   /// Records the root of the function, which is given by sums.
   void note_root(const FrameExpansion& frame, const MotionSegment& segment, const PairGeometry& g,
                  const CertificateFunction& function, const PreciseTime& root);

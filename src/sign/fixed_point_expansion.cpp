@@ -118,22 +118,22 @@ std::optional<PreciseTime> FixedPointExpansion::root(int sign, Stage stage, doub
     return root_within(
         {Fixed(), 1, steep_}, c_[0], [&](const Fixed& h) { return slope_near(h); }, stage, enough);
   }
-  const auto turn = this->turn();
+  const auto extremum = this->extremum();
   // Beyond the reach, nothing bounds the slope. The extremum itself is in the inner half of the reach.
-  if (!turn || turn->value_sign == turn->second_sign || !(turn->half_gap < 0.5)) return std::nullopt;
+  if (!extremum || extremum->value_sign == extremum->second_sign || !(extremum->half_gap < 0.5)) return std::nullopt;
   // Before the first of the two roots, the function has the sign of its second derivative.
-  const Bracket bracket = bracket_beside(*turn, sign == turn->second_sign ? -1 : 1);
+  const Bracket bracket = bracket_near(*extremum, sign == extremum->second_sign ? -1 : 1);
   if (!falls_from_sign(bracket.steep)) return std::nullopt;
   const auto slope_at = [&](const Fixed& h) { return slope(chosen(h)).mid(); };
   return root_within(bracket, value(chosen(bracket.middle)), slope_at, stage, enough);
 }
 
 /// A bracket around an approximate root that does not extend to the extremum.
-FixedPointExpansion::Bracket FixedPointExpansion::bracket_beside(const Turn& turn, int side) const {
-  const Fixed middle = turn.at + Fixed(side * turn.half_gap);
-  const double half = turn.half_gap / 4;
+FixedPointExpansion::Bracket FixedPointExpansion::bracket_near(const Extremum& extremum, int side) const {
+  const Fixed middle = extremum.at + Fixed(side * extremum.half_gap);
+  const double half = extremum.half_gap / 4;
   const FixedBall there = slope(chosen(middle));
-  const double about = there.about(), change = (there.error_of(about) + turn.second_most * half) * rounded_up;
+  const double about = there.about(), change = (there.error_of(about) + extremum.second_most * half) * rounded_up;
   return {middle, half, {(std::fabs(about) - change) / rounded_up, (std::fabs(about) + change) * rounded_up, about}};
 }
 
@@ -155,7 +155,7 @@ FixedBall FixedPointExpansion::slope(const FixedBall& h) const {
   return sum;
 }
 
-std::optional<FixedPointExpansion::Turn> FixedPointExpansion::turn() const {
+std::optional<FixedPointExpansion::Extremum> FixedPointExpansion::extremum() const {
   const double second = 2 * c_[2].about();
   double change = 2 * c_[2].error_of(second);
   for (std::size_t k = 3; k < terms_; ++k) change += static_cast<double>(k * (k - 1)) * c_[k].most();
@@ -180,15 +180,16 @@ std::optional<FixedPointExpansion::Turn> FixedPointExpansion::turn() const {
   v.widen(open * open / least);
   if (v.sign() == 0) return std::nullopt;
   const double half_gap = std::sqrt(2 * std::fabs(v.about() / second));
-  return Turn{h, v.sign(), second > 0 ? 1 : -1, half_gap, (std::fabs(second) + change) * rounded_up};
+  return Extremum{h, v.sign(), second > 0 ? 1 : -1, half_gap, (std::fabs(second) + change) * rounded_up};
 }
 
-std::optional<PreciseTime> FixedPointExpansion::root_beside(const Turn& turn, int side, Stage stage) const {
-  const double error = 0x1p-24 * turn.half_gap;
-  const Fixed root = turn.at + Fixed(side * turn.half_gap);
+std::optional<PreciseTime> FixedPointExpansion::root_near(const Extremum& extremum, int side, Stage stage) const {
+  const double error = 0x1p-24 * extremum.half_gap;
+  const Fixed root = extremum.at + Fixed(side * extremum.half_gap);
   // The value has the sign of the extreme value on the near side of the root, and the opposite sign beyond.
   const auto sign_at = [&](double h) { return value(chosen(root + Fixed(h))).sign(); };
-  if (sign_at(-side * error) != turn.value_sign || sign_at(side * error) != -turn.value_sign) return std::nullopt;
+  if (sign_at(-side * error) != extremum.value_sign || sign_at(side * error) != -extremum.value_sign)
+    return std::nullopt;
   return around(root, error, stage);
 }
 

@@ -27,7 +27,7 @@ class FixedPointExpansion {
   std::optional<PreciseTime> root(int sign, Stage stage, double enough) const;
 
   /// An extremum of the function; without the displacement, symmetric mechanisms touch zero there.
-  struct Turn {
+  struct Extremum {
     Fixed at;            ///< approximate position since the frame's instant, in units of its reach
     int value_sign;      ///< of its extreme value
     int second_sign;     ///< of its second derivative, over the whole reach
@@ -35,9 +35,9 @@ class FixedPointExpansion {
     double second_most;  ///< a bound of the second derivative's magnitude within reach
   };
   /// The only extremum within reach, if it is certainly the only one and the sign of its value is known.
-  std::optional<Turn> turn() const;
+  std::optional<Extremum> extremum() const;
   /// The root before it (-1) or after it (1), if the two signs differ.
-  std::optional<PreciseTime> root_beside(const Turn& turn, int side, Stage stage) const;
+  std::optional<PreciseTime> root_near(const Extremum& extremum, int side, Stage stage) const;
 
  private:
   /// Bounds of the slope.
@@ -57,7 +57,7 @@ class FixedPointExpansion {
   FixedBall value(const FixedBall& h) const;
   FixedBall slope(const FixedBall& h) const;
   Fixed slope_near(const Fixed& h) const;
-  Bracket bracket_beside(const Turn& turn, int side) const;
+  Bracket bracket_near(const Extremum& extremum, int side) const;
   template <class SlopeAt>
   std::optional<PreciseTime> root_within(const Bracket& bracket, FixedBall v, const SlopeAt& slope_at, Stage stage,
                                          double enough) const;

@@ -55,7 +55,7 @@ inline int sign_at(const MotionSegment& segment, const PairGeometry& g, const Ce
                    const Instant& instant, PreciseTime& t, FrameMemory* memory = nullptr) {
   const PreciseTriple f(segment, g, function, memory);
   const auto sign = [&](Stage stage) { return instant.refine(segment, g, stage, t, memory) ? f.sign_at(t, stage) : 0; };
-  return first_decisive(sign, Stage::beside);
+  return first_decisive(sign, Stage::relative);
 }
 
 /// The middle one of three collinear vertices. sign(function) returns the sign of a certificate function at that

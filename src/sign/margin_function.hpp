@@ -55,7 +55,7 @@ class VertexMargin {
   Jet<Real> operator()(const Ball<Real>& t) const { return combined(x_(t), y_(t)); }
   Jet<Real> operator()(const TimeFromEnd<Real>& t) const { return combined(x_(t), y_(t)); }
   Ball<Real> value(const Ball<Real>& t) const { return combined(x_.value(t), y_.value(t)); }
-  Jet<Real> telling_range(const Ball<Real>& t) const { return (*this)(t); }
+  Jet<Real> decisive_range(const Ball<Real>& t) const { return (*this)(t); }
 
   /// As in PreciseFunction: the terms of a polynomial in the square root of the distance from a singular end,
   BallPolynomial<Real> terms_from_end(double end, double direction) const {
@@ -78,8 +78,8 @@ class VertexMargin {
     }
     return sum;
   }
-  Jet<Real> telling_range(const BallPolynomial<Real>& from_end, const Ball<Real>& s) const {
-    return x_.telling_range(from_end, s);
+  Jet<Real> decisive_range(const BallPolynomial<Real>& from_end, const Ball<Real>& s) const {
+    return x_.decisive_range(from_end, s);
   }
 
  private:

@@ -62,8 +62,8 @@ class PreciseFunction {
   Jet<Real> operator()(const Ball<Real>& t) const { return range<Sharpness::best>(t); }
   /// Like the call operator, or a wider range that decides the sign of the value or, over an interval, that of the
   /// slope.
-  Jet<Real> telling_range(const Ball<Real>& t) const { return range<Sharpness::telling>(t); }
-  /// Is the telling range over that ball, which has been computed before, that of an expansion about its middle?
+  Jet<Real> decisive_range(const Ball<Real>& t) const { return range<Sharpness::decisive>(t); }
+  /// Is the decisive range over that ball, which has been computed before, that of an expansion about its middle?
   bool is_expanded(const Ball<Real>& t) const {
     if constexpr (!std::is_same_v<Real, double>) {
       const TaylorFrame<Real>* const known = is_polynomial() ? nullptr : models().known(t);
@@ -71,7 +71,7 @@ class PreciseFunction {
     }
     return is_polynomial();
   }
-  /// The Taylor expansion about the middle of a ball, valid over the whole ball, if the telling range there comes from
+  /// The Taylor expansion about the middle of a ball, valid over the whole ball, if the decisive range there comes from
   /// such an expansion.
   std::optional<BallPolynomial<Real>> expansion(const Ball<Real>& t) const requires(!std::is_same_v<Real, double>) {
     count_work(2 * work_of_range);
@@ -118,17 +118,17 @@ class PreciseFunction {
     return value(t);
   }
   /// The range over the ball s of a polynomial given by its terms from an end.
-  Jet<Real> telling_range(const BallPolynomial<Real>& from_end, const Ball<Real>& s) const {
-    return range_of<Sharpness::telling>(from_end, s, work_of_range);
+  Jet<Real> decisive_range(const BallPolynomial<Real>& from_end, const Ball<Real>& s) const {
+    return range_of<Sharpness::decisive>(from_end, s, work_of_range);
   }
 
  private:
-  enum class Sharpness { best, telling };
+  enum class Sharpness { best, decisive };
   template <Sharpness sharpness>
   static Jet<Real> range_of(const BallPolynomial<Real>& p, const Ball<Real>& t, std::uint64_t work_of_best) {
-    if constexpr (sharpness == Sharpness::telling && !std::is_same_v<Real, double>) {
+    if constexpr (sharpness == Sharpness::decisive && !std::is_same_v<Real, double>) {
       count_work(work_of_doubles);
-      if (const auto range = telling_range_in_doubles(p, t)) return *range;
+      if (const auto range = decisive_range_in_doubles(p, t)) return *range;
     }
     count_work(work_of_best);
     return polynomial_range(p, t);
@@ -140,8 +140,8 @@ class PreciseFunction {
       // If a range did not decide, the range of a part of it hardly ever does, unless the model omitted much.
       if (const TaylorFrame<Real>* const known = models().known(t)) {
         const Jet<Real> range = range_by<sharpness>(*known, t);
-        if constexpr (sharpness == Sharpness::telling) {
-          if (tells(range, t)) return range;
+        if constexpr (sharpness == Sharpness::decisive) {
+          if (is_decisive(range, t)) return range;
           if (const TaylorFrame<Real>* const better = better_model(*known, range, t)) {
             return range_by<sharpness>(*better, t);
           }
@@ -154,7 +154,7 @@ class PreciseFunction {
     const Jet<Real> range = combine(pp_ ? f.for_pp : f.for_qq);
     if constexpr (!std::is_same_v<Real, double>) {
       // Use the frame's polynomials about a place nearby (see TaylorFrames). Doubles do without.
-      const TaylorFrame<Real>* const made = t.rad != 0 && !tells(range, t) ? new_model(t) : nullptr;
+      const TaylorFrame<Real>* const made = t.rad != 0 && !is_decisive(range, t) ? new_model(t) : nullptr;
       if (made) return range_by<sharpness>(*made, t);
     }
     return range;

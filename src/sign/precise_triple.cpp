@@ -42,16 +42,16 @@ const FrameExpansion* PreciseTriple::frame_near(const PreciseTime& t) const {
 
 /// The function's root within reach of such an instant, if one of the known roots determines it. Before more is tried,
 /// any accuracy suffices.
-const RootOfExpansion* PreciseTriple::root_beside(const PreciseTime& t, Stage stage) const {
+const RootOfExpansion* PreciseTriple::root_near(const PreciseTime& t, Stage stage) const {
   if (!memory_ || !t.has_sums()) return nullptr;
   const FrameExpansion* const frame = memory_->expansions.known(t.floor(), t.ceiling());
-  const double enough = stage == Stage::beside ? INFINITY : all_but_displacement;
-  return frame ? memory_->functions.root_beside(*frame, segment_, geometry_, function_, enough) : nullptr;
+  const double enough = stage == Stage::relative ? INFINITY : all_but_displacement;
+  return frame ? memory_->functions.root_near(*frame, segment_, geometry_, function_, enough) : nullptr;
 }
 
 /// The function is monotone over the whole reach.
-int PreciseTriple::sign_beside_root(const PreciseTime& t, Stage stage) const {
-  const RootOfExpansion* const root = root_beside(t, stage);
+int PreciseTriple::sign_near_root(const PreciseTime& t, Stage stage) const {
+  const RootOfExpansion* const root = root_near(t, stage);
   if (!root) return 0;
   const std::optional<bool> is_first = t.is_first(root->at);
   return !is_first ? 0 : *is_first ? -root->slope_sign : root->slope_sign;
@@ -96,8 +96,8 @@ std::optional<RootEnclosure<Real>> PreciseTriple::sign_change(const PreciseFunct
 
 int PreciseTriple::sign_at(const PreciseTime& t, Stage stage) const {
   if (stage <= Stage::precise) {
-    const int sign = sign_beside_root(t, stage);
-    if (sign != 0 || stage == Stage::beside) return decided_by(Stage::beside, sign);
+    const int sign = sign_near_root(t, stage);
+    if (sign != 0 || stage == Stage::relative) return decided_by(Stage::relative, sign);
   }
   if (t.has_sums()) {
     const ExactLine* const exact = line();
@@ -129,45 +129,46 @@ PreciseTriple::LineFailure PreciseTriple::line_failure(int sign, const PreciseTi
 }
 
 /// Requires that `sign` holds just after `from`.
-std::optional<PreciseTriple::BesideTurn> PreciseTriple::beside_turn(int sign, const PreciseTime& from,
-                                                                    double about) const {
+std::optional<PreciseTriple::NearExtremum> PreciseTriple::near_extremum(int sign, const PreciseTime& from,
+                                                                        double about) const {
   const FrameExpansion* const frame = memory_ ? memory_->expansions.around(about, about) : nullptr;
   if (!frame) return std::nullopt;
   const FixedPointExpansion& expansion = memory_->functions.of(*frame, segment_, geometry_, function_);
-  const auto turn = expansion.turn();
-  if (!turn) return std::nullopt;
-  const bool valley = turn->second_sign == sign;
-  if (turn->value_sign == turn->second_sign) return valley ? std::optional(BesideTurn{}) : std::nullopt;
-  const auto before = expansion.root_beside(*turn, -1, Stage::beside),
-             after = expansion.root_beside(*turn, 1, Stage::beside);
+  const auto extremum = expansion.extremum();
+  if (!extremum) return std::nullopt;
+  const bool valley = extremum->second_sign == sign;
+  if (extremum->value_sign == extremum->second_sign) return valley ? std::optional(NearExtremum{}) : std::nullopt;
+  const auto before = expansion.root_near(*extremum, -1, Stage::relative),
+             after = expansion.root_near(*extremum, 1, Stage::relative);
   if (!before || !after) return std::nullopt;
   // In a valley, the sign holds before the first root and after the second one; on a hill, between the two. As it holds
   // just after `from`, that is not before the first root of a hill, and comparison with a valley's roots shows on which
   // side of them it is.
-  if (!valley) return from.certainly_before(*after) ? std::optional(BesideTurn{after}) : std::nullopt;
-  if (before->certainly_before(from)) return BesideTurn{};
-  return from.certainly_before(*before) ? std::optional(BesideTurn{before}) : std::nullopt;
+  if (!valley) return from.certainly_before(*after) ? std::optional(NearExtremum{after}) : std::nullopt;
+  if (before->certainly_before(from)) return NearExtremum{};
+  return from.certainly_before(*before) ? std::optional(NearExtremum{before}) : std::nullopt;
 }
 
 /// For the case in which doubles show neither value nor slope, but a second derivative that keeps its sign. An example
 /// is a vertex that leaves a corner along an edge's line.
-std::optional<PreciseTriple::BesideTurn> PreciseTriple::turn_ahead(int sign, const PreciseTime& from, double to) const {
+std::optional<PreciseTriple::NearExtremum> PreciseTriple::extremum_ahead(int sign, const PreciseTime& from,
+                                                                         double to) const {
   const double start = from.floor();
   if (from.stage > Stage::precise || start < segment_.start || !(start < to)) return std::nullopt;
   const PreciseFunction<double> rough(segment_, geometry_, function_);
   const Jet<double> here = rough(Ball<double>::exact(start));
   if (here.v.sign() != 0 || here.d.sign() != 0 || here.dd.sign() == 0) return std::nullopt;
   if (rough(Ball<double>::between(start, to)).dd.sign() == 0) return std::nullopt;
-  return beside_turn(sign, from, std::clamp(start - here.d.mid / here.dd.mid, start, to));
+  return near_extremum(sign, from, std::clamp(start - here.d.mid / here.dd.mid, start, to));
 }
 
 std::optional<PreciseTime> PreciseTriple::first_failure(int sign, const PreciseTime& from, double to) const {
   if (const LineFailure line = line_failure(sign, from, to); decided_by(Stage::exact, line.known)) return line.time;
-  if (const auto beside = turn_ahead(sign, from, to)) {
+  if (const auto ahead = extremum_ahead(sign, from, to)) {
     const PreciseTime end = PreciseTime::between(to, to);
-    const bool none = !beside->failure || end.certainly_before(*beside->failure);
+    const bool none = !ahead->failure || end.certainly_before(*ahead->failure);
     if (decided_by(Stage::fixed, none)) return std::nullopt;
-    if (decided_by(Stage::fixed, beside->failure->not_after(end))) return sharpened(sign, *beside->failure);
+    if (decided_by(Stage::fixed, ahead->failure->not_after(end))) return sharpened(sign, *ahead->failure);
   }
   if (const auto cut = division(segment_, from, to)) {
     if (auto first = first_failure(sign, from, *cut)) return first;
@@ -207,13 +208,13 @@ std::optional<PreciseTime> PreciseTriple::first_failure(int sign, const PreciseT
 bool PreciseTriple::refine(int sign, PreciseTime& t, Stage stage, double enough) const {
   if (t.stage >= stage) return true;
   if (stage <= Stage::precise) {
-    const RootOfExpansion* const root = root_beside(t, stage);
+    const RootOfExpansion* const root = root_near(t, stage);
     if (root && root->slope_sign == -sign) {
       t = root->at;
       t.stage = stage;
-      return decided_by(Stage::beside, true);
+      return decided_by(Stage::relative, true);
     }
-    if (stage == Stage::beside) return false;
+    if (stage == Stage::relative) return false;
   }
   if (stage == Stage::precise) {
     const ExactLine* const exact = line();

@@ -26,13 +26,13 @@ class PreciseTriple {
   /// Throws Undecidable.
   std::optional<PreciseTime> first_failure(int sign, const PreciseTime& from, double to) const;
   /// The consequence of an extremum near zero for the time in which the second derivative keeps its sign.
-  struct BesideTurn {
+  struct NearExtremum {
     std::optional<PreciseTime> failure;  ///< none if the function keeps its sign
   };
   /// The first change of sign as in first_failure(), where the function has an extremum within double precision of an
   /// instant: the sign of its extreme value decides. Nothing if there is no such extremum, or if it is not known. The
   /// failure is known relative to the extremum, and more precisely from Stage::precise on.
-  std::optional<BesideTurn> beside_turn(int sign, const PreciseTime& from, double about) const;
+  std::optional<NearExtremum> near_extremum(int sign, const PreciseTime& from, double about) const;
   /// Shrinks an isolating enclosure at the given stage, but not below the width `enough`. `sign` is the sign before the
   /// root. Returns false if the stage cannot.
   bool refine(int sign, PreciseTime& t, Stage stage, double enough = 0) const;
@@ -43,7 +43,7 @@ class PreciseTriple {
     std::optional<PreciseTime> time;
   };
   LineFailure line_failure(int sign, const PreciseTime& from, double to) const;
-  std::optional<BesideTurn> turn_ahead(int sign, const PreciseTime& from, double to) const;
+  std::optional<NearExtremum> extremum_ahead(int sign, const PreciseTime& from, double to) const;
   const ExactLine* line() const;
   /// Returns the answer, and counts it if there is one.
   template <class Decided>
@@ -52,10 +52,10 @@ class PreciseTriple {
     return answer;
   }
   const FrameExpansion* frame_near(const PreciseTime& t) const;
-  const RootOfExpansion* root_beside(const PreciseTime& t, Stage stage) const;
+  const RootOfExpansion* root_near(const PreciseTime& t, Stage stage) const;
   std::optional<PreciseTime> root_of_expansion(int sign, const PreciseTime& t, Stage stage, double enough) const;
   PreciseTime sharpened(int sign, PreciseTime t) const;
-  int sign_beside_root(const PreciseTime& t, Stage stage) const;
+  int sign_near_root(const PreciseTime& t, Stage stage) const;
   template <class Real>
   PreciseFunction<Real> function() const {
     return {segment_, geometry_, function_, memory_ ? &memory_->models : nullptr};

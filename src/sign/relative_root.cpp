@@ -13,7 +13,7 @@ namespace taut::internal {
 namespace {
 
 /// In units of checkpoint(), as measured.
-constexpr std::uint64_t work_of_relative_root = 5, work_of_distance = 3, work_of_root_beside = 5;
+constexpr std::uint64_t work_of_relative_root = 5, work_of_distance = 3, work_of_root_near = 5;
 constexpr double bound_up = 1 + 0x1p-45;
 /// Residuals of nearly proportional functions are below this share of the coefficients.
 constexpr double nearly = 0x1p-40;
@@ -109,7 +109,7 @@ KnownRoot::KnownRoot(const RelativeRoot& of, const FrameExpansion& frame, const 
 
 /// Rounded to the digits that matter relative to the error.
 PreciseTime KnownRoot::at_distance(const Bounded& h) const {
-  count_work(work_of_root_beside);
+  count_work(work_of_root_near);
   ExactSum<ShortSum::capacity - 1> middle;
   std::size_t left = from.size();
   for (; left > 0 && middle.size() < ShortSum::capacity - 2; --left) {
@@ -124,7 +124,7 @@ PreciseTime KnownRoot::at_distance(const Bounded& h) const {
   hi.take(middle);
   lo.add(-room);
   hi.add((room + width) * bound_up);
-  return {ShortSum::of(lo), ShortSum::of(hi), Stage::beside};
+  return {ShortSum::of(lo), ShortSum::of(hi), Stage::relative};
 }
 
 }  // namespace taut::internal

@@ -33,7 +33,7 @@ class RelativeRoot {
                const CertificateFunction& function);
 
   /// Does `o` belong to the same segment, and to the same instant?
-  bool is_beside(const RelativeRoot& o) const { return about_ == o.about_ && pp_ == o.pp_; }
+  bool has_same_reference(const RelativeRoot& o) const { return about_ == o.about_ && pp_ == o.pp_; }
   /// The sign of the slope over the whole reach; 0 if it may change there.
   int slope_sign() const { return slope_.sign(); }
   /// The distance of the function's only root within reach from another root nearby, whose enclosure counts as a point.

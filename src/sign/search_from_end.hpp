@@ -64,9 +64,10 @@ class SearchFromEnd {
    public:
     Expanded(const SearchFromEnd& whole, const Real& farthest) : whole_(whole), farthest_(in_few_bits(farthest)) {}
 
-    Jet<Real> telling_range(const Ball<Real>& s) const {
-      const Jet<Real> range = whole_.f_.telling_range(reaching(s), s);
-      if (tells(range, s) || !is_far_for_its_length(s) || !is_hidden_by_last(polynomial_, range.v, s)) return range;
+    Jet<Real> decisive_range(const Ball<Real>& s) const {
+      const Jet<Real> range = whole_.f_.decisive_range(reaching(s), s);
+      if (is_decisive(range, s) || !is_far_for_its_length(s) || !is_hidden_by_last(polynomial_, range.v, s))
+        return range;
       return whole_.by_time(s);
     }
     Ball<Real> telling_value(const Ball<Real>& s) const {
@@ -146,7 +147,7 @@ class SearchFromEnd {
   }
   /// The range over a ball of s, computed from the function's range in time.
   Jet<Real> by_time(const Ball<Real>& s) const {
-    const Jet<Real> f = f_.telling_range(Ball<Real>::exact(end_) + s * s * direction_);
+    const Jet<Real> f = f_.decisive_range(Ball<Real>::exact(end_) + s * s * direction_);
     const Ball<Real> step = s * (2 * direction_);
     return {f.v, f.d * step, f.dd * step * step + f.d * (2 * direction_)};
   }

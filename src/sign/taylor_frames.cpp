@@ -53,12 +53,12 @@ int radius_in_quarters(const FrameOf<ModelSeries<Real>>& functions) {
   int radius = far;
   for (int k = few + 1; k <= model_degree; ++k) {
     const int of_k = exponents[static_cast<std::size_t>(k)];
-    int beside_first = -far;
+    int above_first = -far;
     for (int j = 1; j <= few && of_k != none; ++j) {
       const int of_j = exponents[static_cast<std::size_t>(j)];
-      if (of_j != none) beside_first = std::max(beside_first, 4 * (of_j - of_k) / (k - j));
+      if (of_j != none) above_first = std::max(above_first, 4 * (of_j - of_k) / (k - j));
     }
-    if (beside_first > -far) radius = std::min(radius, beside_first);
+    if (above_first > -far) radius = std::min(radius, above_first);
   }
   return std::max(radius, -far);
 }

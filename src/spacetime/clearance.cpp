@@ -66,8 +66,8 @@ class ClearanceOnSegment {
  private:
   /// Are the bounds of doubles all that keeps the two from being farther apart than the tolerance wants? Then still
   /// shorter stretches would not help, and what is certain is noted. Neither would they where next to nothing moves: on
-  /// a bridge, say, all over which bodies may nearly touch. Nor where the tolerance is less than doubles tell: bodies
-  /// that slide on each other, a little apart, would be followed by steps as short as that.
+  /// a bridge, say, all over which bodies may nearly touch. Nor where the tolerance is less than doubles resolve:
+  /// bodies that slide on each other, a little apart, would be followed by steps as short as that.
   bool is_resolved(const StretchOfTime& time, const Box& p, const Box& q, Vector towards) {
     const Stretch& s = time.bounds;
     const double error = s.in_p.error;

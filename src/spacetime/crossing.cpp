@@ -38,7 +38,7 @@ std::optional<Crossing> PreciseCrossings::first(const VertexEdge& pair, double f
     c.out = sign > 0;
     store(*root, c);
     // If outward crossings are not searched for, it does not matter whether one of them is on the edge.
-    if ((sign < 0 || ways_ == Ways::both) && beside(c, sign) == Beside::yes) return c;
+    if ((sign < 0 || ways_ == Ways::both) && on_edge(c, sign) == OnEdge::yes) return c;
     at = *c.precise;
   }
 }
@@ -51,14 +51,14 @@ void PreciseCrossings::refine(Crossing& c, int sign, Stage stage) {
   store(t, c);
 }
 
-Beside PreciseCrossings::beside(Crossing& root, int sign) {
+OnEdge PreciseCrossings::on_edge(Crossing& root, int sign) {
   const PreciseTriple from_start = triple(root.pair.from_start(geometry_));
   const PreciseTriple from_end = triple(root.pair.from_end(geometry_));
-  const auto ask = [&](Stage stage) -> std::optional<Beside> {
+  const auto ask = [&](Stage stage) -> std::optional<OnEdge> {
     refine(root, sign, stage);
     const int a = from_start.sign_at(*root.precise, stage), b = from_end.sign_at(*root.precise, stage);
-    if (a < 0 || b < 0) return Beside::no;
-    if (a > 0 && b > 0) return Beside::yes;
+    if (a < 0 || b < 0) return OnEdge::no;
+    if (a > 0 && b > 0) return OnEdge::yes;
     return std::nullopt;
   };
   return *decide("whether a vertex meets an edge or passes its end", ask);

@@ -36,7 +36,7 @@ struct Crossing {
 enum class Ways : unsigned char { into, both };
 
 /// Does the vertex project onto the edge, or is it beyond one of its ends?
-enum class Beside : unsigned char { yes, no, unknown };
+enum class OnEdge : unsigned char { yes, no, unknown };
 
 /// The precise stages for one segment. All members throw Undecidable where the last stage does not suffice.
 class PreciseCrossings {
@@ -52,7 +52,7 @@ class PreciseCrossings {
   std::optional<Crossing> first(const VertexEdge& pair, double from, double to);
   /// Does the vertex project onto the edge at this root of the orientation, whose sign changes from `sign`? The root
   /// need not be a crossing.
-  Beside beside(Crossing& root, int sign);
+  OnEdge on_edge(Crossing& root, int sign);
   /// Is the first crossing before the second? Refines both until that is certain.
   bool before(Crossing& a, Crossing& b);
   /// Encloses the crossing to within a few ulps.

@@ -24,8 +24,8 @@ double vertex_bound(const RelativePose& relative_pose, double r, Vector vertex, 
   const Path path = relative_pose.place(vertex, from);
   const Parabola along_edge = along(e, path), across = along(turned(e), path);
   const double before = -along_edge.least(r), behind = -(-along_edge).least(r) - length;
-  const double beside = std::max(-across.least(r), -(-across).least(r));
-  const double past = std::max({0.0, before, behind}) + relative_pose.error, off = beside + relative_pose.error;
+  const double across_by = std::max(-across.least(r), -(-across).least(r));
+  const double past = std::max({0.0, before, behind}) + relative_pose.error, off = across_by + relative_pose.error;
   return std::sqrt(past * past + off * off) * rounded_up + length * 0x1p-45;
 }
 

@@ -71,8 +71,8 @@ class ContactOnSegment {
     if (!leaf) return BoxDecision::divided;
     // Each edge stands for its first vertex.
     const VertexId of_p(p.first), of_q(geometry_.np + q.first);
-    settle(time, s.in_q, {of_p, of_q});
-    settle(time, s.in_p, {of_q, of_p});
+    resolve(time, s.in_q, {of_p, of_q});
+    resolve(time, s.in_p, {of_q, of_p});
     return BoxDecision::done;
   }
 
@@ -90,7 +90,7 @@ class ContactOnSegment {
     return best_ ? std::min(end, std::nextafter(best_->hi, std::numeric_limits<double>::infinity())) : end;
   }
   /// The pair's first contact within the stretch becomes the best if it is.
-  void settle(const StretchOfTime& time, const RelativePose& relative_pose, const VertexEdge& pair) {
+  void resolve(const StretchOfTime& time, const RelativePose& relative_pose, const VertexEdge& pair) {
     const DisplacedPoint &v = geometry_.point(pair.vertex), &a = geometry_.point(pair.edge),
                          &b = geometry_.point(geometry_.next(pair.edge));
     if (misses(time.bounds, relative_pose, {v.x, v.y}, {a.x, a.y}, {b.x, b.y})) return;

@@ -96,11 +96,11 @@ void LeafTest::newton(FrameWindow& window, const FastFunction& line, int sign, C
   }
 }
 
-Beside LeafTest::beside(FrameWindow& window, const Functions& f, const Crossing& root) const {
+OnEdge LeafTest::on_edge(FrameWindow& window, const Functions& f, const Crossing& root) const {
   const int a = sign_between(f.from_start, window, root.lo, root.hi);
   const int b = sign_between(f.from_end, window, root.lo, root.hi);
-  if (a < 0 || b < 0) return Beside::no;
-  return a > 0 && b > 0 ? Beside::yes : Beside::unknown;
+  if (a < 0 || b < 0) return OnEdge::no;
+  return a > 0 && b > 0 ? OnEdge::yes : OnEdge::unknown;
 }
 
 /// Is the next root of the line's function, which has `sign` at t, isolated, and a crossing? If it is not a crossing, t
@@ -109,10 +109,10 @@ LeafTest::Ahead LeafTest::look_ahead(FrameWindow& window, const Functions& f, do
                                      Crossing& root) {
   double falls_until = 0;
   if (!isolate(window, f, t, limit, sign, root, falls_until)) return Ahead::unknown;
-  Beside at_root = beside(window, f, root);
-  if (at_root == Beside::unknown) at_root = precise_.beside(root, sign);
+  OnEdge at_root = on_edge(window, f, root);
+  if (at_root == OnEdge::unknown) at_root = precise_.on_edge(root, sign);
   root.out = sign > 0;
-  if (at_root == Beside::yes && (sign < 0 || ways_ == Ways::both)) return Ahead::crossing;
+  if (at_root == OnEdge::yes && (sign < 0 || ways_ == Ways::both)) return Ahead::crossing;
   // After the root, the line's function keeps its new sign until it may have an extremum.
   t = std::max(root.hi, falls_until);
   return Ahead::passed;
@@ -162,16 +162,16 @@ LeafTest::Ahead LeafTest::leave_short_steps(FrameWindow& window, const Functions
 std::optional<Crossing> LeafTest::first(FrameWindow& window, const VertexEdge& pair, double t, double limit) {
   if (!window.smooth()) {
     if (excluded_in_range(window, pair)) return std::nullopt;
-    return beside_end_.first(pair, t, limit);
+    return near_end_.first(pair, t, limit);
   }
-  if (beside_end_.tells(pair, t)) return beside_end_.first(pair, t, limit);
+  if (near_end_.covers(pair, t)) return near_end_.first(pair, t, limit);
   Functions f = functions(pair);
   int steps = 0;
   double stride = window.length() * first_stride;
   // There is no crossing before t.
   while (t < limit) {
     checkpoint(work_of_step);
-    if (++steps > few_steps && beside_end_.is_near(t)) return beside_end_.first(pair, t, limit);
+    if (++steps > few_steps && near_end_.is_near(t)) return near_end_.first(pair, t, limit);
     const double left = limit - t;
     // The vertex is beyond one of the edge's ends, or on one side of its line. The longest of these certainties counts.
     double step = beyond_ends(window, f, t, left);
@@ -196,7 +196,7 @@ std::optional<Crossing> LeafTest::first(FrameWindow& window, const VertexEdge& p
       f.line = *sliding;
       continue;
     }
-    if (beside_end_.is_near(t)) return beside_end_.first(pair, t, limit);
+    if (near_end_.is_near(t)) return near_end_.first(pair, t, limit);
     if (leave_short_steps(window, f, limit, sign, t, stride, root) == Ahead::crossing) return root;
   }
   return std::nullopt;

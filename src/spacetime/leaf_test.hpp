@@ -8,7 +8,7 @@
 #include <unordered_map>
 
 #include "spacetime/crossing.hpp"
-#include "spacetime/crossings_beside_end.hpp"
+#include "spacetime/crossings_near_end.hpp"
 #include "spacetime/local_expansion.hpp"
 
 namespace taut::internal::spacetime {
@@ -21,7 +21,7 @@ class LeafTest {
         segment_(segment),
         ways_(ways),
         precise_(geometry, segment, ways),
-        beside_end_(segment, ways, precise_) {}
+        near_end_(segment, ways, precise_) {}
 
   /// The pair's first crossing in (t, limit], which must lie within the window.
   std::optional<Crossing> first(FrameWindow& window, const VertexEdge& pair, double t, double limit);
@@ -50,13 +50,13 @@ class LeafTest {
   Ahead leave_short_steps(FrameWindow& window, const Functions& f, double limit, int sign, double& t, double& stride,
                           Crossing& root);
   void newton(FrameWindow& window, const FastFunction& line, int sign, Crossing& root) const;
-  Beside beside(FrameWindow& window, const Functions& f, const Crossing& root) const;
+  OnEdge on_edge(FrameWindow& window, const Functions& f, const Crossing& root) const;
 
   const PairGeometry& geometry_;
   const MotionSegment& segment_;
   Ways ways_;
   PreciseCrossings precise_;
-  CrossingsBesideEnd beside_end_;
+  CrossingsNearEnd near_end_;
   /// For pairs that doubles once failed to decide: the line's function in the first order of the displacement, if it is
   /// zero without it, as where a vertex slides along an edge.
   std::unordered_map<std::uint64_t, std::optional<FastFunction>> first_orders_;

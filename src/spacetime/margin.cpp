@@ -54,9 +54,9 @@ class MarginOnSegment {
     if (!leaf) return BoxDecision::divided;
     // Each edge stands for its first vertex.
     const VertexId of_p(p.first), of_q(geometry_.np + q.first);
-    if (!vertices_farther(s, point(of_p), point(of_q), margin_)) settle(time, {of_p, of_q, false});
-    if (!misses_edge(s.in_q, s, of_p, of_q)) settle(time, {of_p, of_q, true});
-    if (!misses_edge(s.in_p, s, of_q, of_p)) settle(time, {of_q, of_p, true});
+    if (!vertices_farther(s, point(of_p), point(of_q), margin_)) resolve(time, {of_p, of_q, false});
+    if (!misses_edge(s.in_q, s, of_p, of_q)) resolve(time, {of_p, of_q, true});
+    if (!misses_edge(s.in_p, s, of_q, of_p)) resolve(time, {of_q, of_p, true});
     return BoxDecision::done;
   }
 
@@ -66,7 +66,7 @@ class MarginOnSegment {
     return misses(s, relative_pose, point(vertex), point(edge), point(geometry_.next(edge)), margin_);
   }
   /// The pair's first approach within the stretch becomes the best if it is.
-  void settle(const StretchOfTime& time, const VertexPeer& pair) {
+  void resolve(const StretchOfTime& time, const VertexPeer& pair) {
     if (at_instant_) {
       if (!best_ && approaches_.close_at(pair, time.start)) best_ = Approach{pair, time.start, time.start, {}};
       return;

@@ -85,7 +85,7 @@ std::string resolve_nearest(const PairGeometry& geometry, const TreePair& trees,
   for (int step = 0; certain < tolerance.least(best.distance); ++step) {
     checkpoint();
     if (!(margin > certain && margin < best.distance) || step == most_halvings)
-      return "doubles do not tell the distance better";
+      return "doubles do not resolve the distance further";
     const MarginResult found = first_closer(geometry, trees, segments, margin, window);
     if (found.outcome == MarginResult::undecided) return found.reason;
     if (found.outcome == MarginResult::free) {

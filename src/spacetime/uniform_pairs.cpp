@@ -91,8 +91,8 @@ void UniformPairsSearch::look(UniformStretch& even, const Boxes& pair, double st
       pairs_.push_back(pair);
       return;
     }
-    settle(s, s.in_q, pair.other, {of_p, of_q}, start, end);
-    settle(s, s.in_p, pair.other, {of_q, of_p}, start, end);
+    resolve(s, s.in_q, pair.other, {of_p, of_q}, start, end);
+    resolve(s, s.in_p, pair.other, {of_q, of_p}, start, end);
   } else if (q.count == 1 || (p.count > 1 && p.box.radius >= q.box.radius)) {
     todo_.push_back({pair.other, p.right, pair.q});
     todo_.push_back({pair.other, p.left, pair.q});
@@ -126,8 +126,8 @@ FrameWindow& UniformPairsSearch::window_at(double t, double end) {
   return windows_.emplace_back(segment_->segment(), t, end, end - t);
 }
 
-void UniformPairsSearch::settle(const Stretch& s, const RelativePose& relative_pose, std::uint32_t other,
-                                const VertexEdge& pair, double start, double end) {
+void UniformPairsSearch::resolve(const Stretch& s, const RelativePose& relative_pose, std::uint32_t other,
+                                 const VertexEdge& pair, double start, double end) {
   if (ended()) return;
   const PairGeometry& g = *others_[other].geometry;
   const DisplacedPoint &v = g.point(pair.vertex), &a = g.point(pair.edge), &b = g.point(g.next(pair.edge));

@@ -57,8 +57,8 @@ class UniformPairsSearch {
   };
   void cover(std::size_t first, double start, double end);
   void look(UniformStretch& s, const Boxes& pair, double start, double end, bool divisible);
-  void settle(const Stretch& s, const RelativePose& relative_pose, std::uint32_t other, const VertexEdge& pair,
-              double start, double end);
+  void resolve(const Stretch& s, const RelativePose& relative_pose, std::uint32_t other, const VertexEdge& pair,
+               double start, double end);
   void note(LeafTest& leaves, std::uint32_t other, Crossing& found);
   FrameWindow& window_at(double t, double end);
   static bool miss(const Stretch& s, const PairGeometry& g, VertexId of_p, VertexId of_q);

@@ -29,7 +29,7 @@ class BoxBuilder {
   double low_along_, high_along_, low_across_, high_across_;
 };
 
-/// Do two rectangles, each moved as told, come closer than `margin`? "No" is certain if margin is at least four times
+/// Do two rectangles, each moved as given, come closer than `margin`? "No" is certain if margin is at least four times
 /// the error of the placement's positions.
 bool near(const NodeBox& a, const RoundedPose& pose_a, const NodeBox& b, const RoundedPose& pose_b, double margin);
 

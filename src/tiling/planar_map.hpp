@@ -99,7 +99,7 @@ class PlanarMap {
   }
   /// A copy without unused edges, which are numbered anew; so are `handles`.
   PlanarMap compact(std::vector<HalfedgeId>& handles) const;
-  /// The maps of two bodies beside each other, with the vertices, and the polygons' edges, of the first before those of
+  /// The maps of two bodies in one, with the vertices, and the polygons' edges, of the first before those of
   /// the second. Both must be compact, must not change, and must live as long as the joined map and its copies.
   static PlanarMap joined(const PlanarMap& first, const PlanarMap& second);
   /// The number that a half-edge of one of them has in the joined map.

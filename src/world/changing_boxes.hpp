@@ -9,7 +9,7 @@
 
 namespace taut::internal {
 
-/// A tree over the boxes as they once were, and beside it those that came, changed or went since. Once these are many,
+/// A tree over the boxes as they once were, and a list of those that came, changed or went since. Once these are many,
 /// the tree is made anew: so a change costs little, however many boxes there are. No tree is made before a question.
 class ChangingBoxes {
  public:

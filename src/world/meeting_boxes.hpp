@@ -1,4 +1,4 @@
-// Which bodies of a world may meet during a window of time, and would a shorter one tell more?
+// Which bodies of a world may meet during a window of time, and would a shorter one show more?
 #pragma once
 
 #include <functional>

@@ -1,4 +1,4 @@
-// When may two bodies of a world meet at all, as far as boxes tell?
+// When may two bodies of a world meet at all, as far as boxes show?
 #pragma once
 
 #include <map>
@@ -18,7 +18,7 @@ class NearStretches {
   explicit NearStretches(const Instance& instance);
 
   /// Of each pair a < b that is asked about, the stretches in order and apart from each other; none if boxes over the
-  /// halves of windows tell the two apart throughout. Pairs that boxes over the coarse windows tell apart are left out.
+  /// halves of windows separate the two throughout. Pairs that boxes over the coarse windows separate are left out.
   const std::map<std::pair<int, int>, std::vector<TimeInterval>>& pairs() const { return stretches_; }
 
  private:

@@ -1,4 +1,4 @@
-// Which bodies of a world come near each other at all, as far as bounding boxes tell?
+// Which bodies of a world come near each other at all, as far as bounding boxes show?
 #pragma once
 
 #include <utility>

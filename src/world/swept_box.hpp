@@ -23,7 +23,7 @@ struct SweptBox {
   double longest() const { return hi_x - lo_x > hi_y - lo_y ? hi_x - lo_x : hi_y - lo_y; }
 };
 
-/// Do the boxes of two bodies over a window tell less than those over its halves would? `sizes` is the sum of the two
+/// Do the boxes of two bodies over a window show less than those over its halves would? `sizes` is the sum of the two
 /// bodies' own. A window is short enough for bodies whose boxes it makes at most half as large again.
 inline bool is_long(const SweptBox& a, const SweptBox& b, double sizes) {
   return a.longest() + b.longest() > 1.5 * sizes;

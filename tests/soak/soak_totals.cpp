@@ -95,7 +95,7 @@ std::array<Stage, stage_count> all_stages() {
 
 /// For tables, and for files that are read again.
 std::string name_of(Stage stage) {
-  constexpr const char* names[] = {"doubles", "first_order", "exact", "beside", "fixed"};
+  constexpr const char* names[] = {"doubles", "first_order", "exact", "relative", "fixed"};
   if (stage < Stage::precise) return names[static_cast<int>(stage)];
   return "bits_" + with_stage(stage, [](auto zero) { return std::to_string(RealTraits<decltype(zero)>::bits); });
 }

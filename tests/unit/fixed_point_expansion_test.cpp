@@ -108,7 +108,7 @@ Scene riding(double height) {
   return scene;
 }
 
-/// Two cams that turn past each other within such a time.
+/// Two cams that extremum past each other within such a time.
 StageCounts stages_of_cams(double time) {
   Scene scene = taut::read_scene(std::string("tests/corpus/symmetric_cams.json"));
   scene.end *= time;
@@ -151,25 +151,25 @@ TEST(FixedPointExpansion, TurnsTellWhetherZeroIsReached) {
           if (geometry.same_body(a, c)) continue;
           const CertificateFunction function{a, b, c, geometry.in_p(a)};
           const FixedPointExpansion tie(*frame, segment, geometry, function);
-          const auto turn = tie.turn();
-          if (!turn) continue;
+          const auto extremum = tie.extremum();
+          if (!extremum) continue;
           const PreciseFunction<Real960> f(segment, geometry, function);
-          const RealMax at = RealMax(frame->about) + RealMax(frame->reach) * ShortSum(turn->at).real();
-          EXPECT_EQ(f.value(Ball<Real960>(at, 0.0)).sign(), turn->value_sign);
-          if (turn->value_sign == turn->second_sign) {
+          const RealMax at = RealMax(frame->about) + RealMax(frame->reach) * ShortSum(extremum->at).real();
+          EXPECT_EQ(f.value(Ball<Real960>(at, 0.0)).sign(), extremum->value_sign);
+          if (extremum->value_sign == extremum->second_sign) {
             ++missed;
             continue;
           }
-          if (!(turn->half_gap < 0.25)) continue;
+          if (!(extremum->half_gap < 0.25)) continue;
           ++reached;
           for (const int side : {-1, 1}) {
-            const auto root = tie.root_beside(*turn, side, Stage::precise);
+            const auto root = tie.root_near(*extremum, side, Stage::precise);
             ASSERT_TRUE(root);
             const int before = f.value(Ball<Real960>(root->lo(), 0.0)).sign();
             const int after = f.value(Ball<Real960>(root->hi(), 0.0)).sign();
-            EXPECT_EQ(before, side < 0 ? turn->second_sign : turn->value_sign);
-            EXPECT_EQ(after, side < 0 ? turn->value_sign : turn->second_sign);
-            // The same to all digits there are: Newton's steps go on from where the turn has it.
+            EXPECT_EQ(before, side < 0 ? extremum->second_sign : extremum->value_sign);
+            EXPECT_EQ(after, side < 0 ? extremum->value_sign : extremum->second_sign);
+            // The same to all digits there are: Newton's steps go on from where the extremum has it.
             const auto sharp = tie.root(before, Stage::precise, 0);
             ASSERT_TRUE(sharp);
             EXPECT_TRUE(root->lo() < sharp->lo() && sharp->hi() < root->hi());

@@ -235,11 +235,11 @@ TEST(Polynomial, RangesInDoublesHoldTheValuesAndTellTheSigns) {
     const Real320 middle = ldexp(Real320(rng.real(-1, 1)) / Real320(3), -rng.below(60));
     const double reach = rng.chance(0.3) ? 0 : std::ldexp(1.0, -rng.below(90));
     const B t(middle, reach);
-    if (tells(polynomial_range(c, t), t)) ++decided;
-    const std::optional<Jet<Real320>> range = telling_range_in_doubles(c, t);
+    if (is_decisive(polynomial_range(c, t), t)) ++decided;
+    const std::optional<Jet<Real320>> range = decisive_range_in_doubles(c, t);
     if (!range) continue;
     ++decided_in_doubles;
-    EXPECT_TRUE(tells(*range, t));
+    EXPECT_TRUE(is_decisive(*range, t));
     for (const int share : {-1, 0, 1}) {
       const Fraction at = exact_fraction(middle) + share * exact_fraction(reach);
       Fraction v = 0, d = 0;

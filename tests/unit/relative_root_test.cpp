@@ -75,7 +75,7 @@ Counts check_all(const Scene& scene) {
       if (!frame) continue;
       ++counts.known;
       for (const double enough : {HUGE_VAL, 0x1p-216}) {
-        const RootOfExpansion* const root = functions.root_beside(*frame, segment, geometry, function, enough);
+        const RootOfExpansion* const root = functions.root_near(*frame, segment, geometry, function, enough);
         if (!root) continue;
         ++(enough < 1 ? counts.sharp : counts.beside);
         EXPECT_EQ(root->slope_sign, -sign);

@@ -97,7 +97,7 @@ class HighTouch {
     c_.push_back(exactly_at(1));
     c_.push_back(exactly_at(0.5));
   }
-  Jet<Number> telling_range(const NumberBall& t) const {
+  Jet<Number> decisive_range(const NumberBall& t) const {
     ++asked;
     return polynomial_range(c_, t - exactly_at(place_));
   }

@@ -9,7 +9,7 @@
 #include "pair/body_pair.hpp"
 #include "relative/make_segments.hpp"
 #include "sign/search_from_end.hpp"
-#include "spacetime/crossings_beside_end.hpp"
+#include "spacetime/crossings_near_end.hpp"
 #include "taut/intervals.hpp"
 #include "taut/io.hpp"
 
@@ -36,7 +36,7 @@ std::vector<double> stretches(const MotionSegment& segment, bool at_end) {
 
 void compare(const PairGeometry& geometry, const MotionSegment& segment, bool at_end, Ways ways, Seen& seen) {
   PreciseCrossings alone(geometry, segment, ways), precise(geometry, segment, ways);
-  CrossingsBesideEnd kept(segment, ways, precise);
+  CrossingsNearEnd kept(segment, ways, precise);
   const std::vector<double> cuts = stretches(segment, at_end);
   const auto np = static_cast<std::uint32_t>(geometry.np), all = static_cast<std::uint32_t>(geometry.size());
   for (std::uint32_t v = 0; v < all; ++v) {
@@ -70,7 +70,7 @@ void compare(const Scene& scene, Seen& seen) {
 
 /// What turns like this begins and ends with infinite speed, and its corners pass the floor's surface, and each other's
 /// heights, soon after and shortly before.
-TEST(CrossingsBesideEnd, TellOfEachStretchWhatASearchOfItDoes) {
+TEST(CrossingsNearEnd, TellOfEachStretchWhatASearchOfItDoes) {
   Seen seen;
   for (const char* motion :
        {R"("x":[5],"rotation":{"cosine":[-1,2]})", R"("x":[5,0.5],"y":[0,-0.125],"rotation":{"cosine":[1,0,-2]})"}) {
@@ -86,7 +86,7 @@ TEST(CrossingsBesideEnd, TellOfEachStretchWhatASearchOfItDoes) {
 }
 
 /// Where corners meet at the very end.
-TEST(CrossingsBesideEnd, TellOfContactsAtTheEnd) {
+TEST(CrossingsNearEnd, TellOfContactsAtTheEnd) {
   Seen seen;
   for (const char* name :
        {"infinite_speed_at_both_ends", "root_before_the_start_of_a_leg", "touch_as_an_infinite_speed_is_reached"}) {
@@ -141,7 +141,7 @@ Scene dip_in_the_last_double() {
     {"name":"Q","polygon":[[1,0],[-1,0.1],[-1,-0.1]],"motion":{"rotation":{"cosine":[-1073741823,1]}}}]})");
 }
 
-TEST(CrossingsBesideEnd, TwoInOneDoubleStayApart) {
+TEST(CrossingsNearEnd, TwoInOneDoubleStayApart) {
   const Scene scene = dip_in_the_last_double();
   const BodyPair bodies = pair_of(scene);
   const PairGeometry geometry = displaced_pair(bodies, Offset::outward);

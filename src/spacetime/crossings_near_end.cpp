@@ -1,4 +1,4 @@
-#include "spacetime/crossings_beside_end.hpp"
+#include "spacetime/crossings_near_end.hpp"
 
 #include <algorithm>
 
@@ -7,11 +7,11 @@
 
 namespace taut::internal::spacetime {
 
-bool CrossingsBesideEnd::is_near(double t) const { return end_of_neighbourhood(segment_, t) > t; }
+bool CrossingsNearEnd::is_near(double t) const { return end_of_neighbourhood(segment_, t) > t; }
 
-const CrossingsBesideEnd::Foreseen* CrossingsBesideEnd::foreseen(const VertexEdge& pair, double from, double until) {
+const CrossingsNearEnd::Foreseen* CrossingsNearEnd::foreseen(const VertexEdge& pair, double from, double until) {
   Foreseen& known = known_[pair.number()];
-  if (!known.hopeless && !known.tells(from)) {
+  if (!known.hopeless && !known.covers(from)) {
     try {
       known.crossing = precise_.first(pair, from, until);
       // The crossing is not later, although its enclosure may be rounded beyond the end.
@@ -25,7 +25,7 @@ const CrossingsBesideEnd::Foreseen* CrossingsBesideEnd::foreseen(const VertexEdg
   return known.hopeless ? nullptr : &known;
 }
 
-std::optional<Crossing> CrossingsBesideEnd::first(const VertexEdge& pair, double from, double to) {
+std::optional<Crossing> CrossingsNearEnd::first(const VertexEdge& pair, double from, double to) {
   const double until = end_of_neighbourhood(segment_, from);
   const Foreseen* known = until > from ? foreseen(pair, from, until) : nullptr;
   if (!known) return precise_.first(pair, from, to);

@@ -14,16 +14,16 @@ namespace taut::internal::spacetime {
 /// at high precision from the instant itself takes about as long for all of that time as for a single window. So each
 /// pair is searched once over the whole remaining neighbourhood of the end, and the result is kept for the following
 /// windows.
-class CrossingsBesideEnd {
+class CrossingsNearEnd {
  public:
-  CrossingsBesideEnd(const MotionSegment& segment, Ways ways, PreciseCrossings& precise)
+  CrossingsNearEnd(const MotionSegment& segment, Ways ways, PreciseCrossings& precise)
       : segment_(segment), ways_(ways), precise_(precise) {}
 
   bool is_near(double t) const;
   /// Has the pair been searched from there, or from before?
-  bool tells(const VertexEdge& pair, double t) const {
+  bool covers(const VertexEdge& pair, double t) const {
     const auto known = known_.find(pair.number());
-    return known != known_.end() && !known->second.hopeless && known->second.tells(t);
+    return known != known_.end() && !known->second.hopeless && known->second.covers(t);
   }
   /// The pair's first crossing in (from, to]. Throws Undecidable.
   std::optional<Crossing> first(const VertexEdge& pair, double from, double to);
@@ -34,7 +34,7 @@ class CrossingsBesideEnd {
     double from = 0, to = 0;
     std::optional<Crossing> crossing;  ///< the first one
     bool hopeless = false;             ///< a later event, which may not matter, cannot be decided
-    bool tells(double t) const { return from <= t && t < to && !(crossing && crossing->hi <= t); }
+    bool covers(double t) const { return from <= t && t < to && !(crossing && crossing->hi <= t); }
   };
 
   /// Null if the search is hopeless.
