@@ -74,7 +74,7 @@ void BodyMaker::add(Drawing drawing) {
     for (Sheet& sheet : drawing.layers[k].sheets)
       if (!sheet.lines) read_sheet(drawing.layers[k], sheet, parts_[k]);
   read_lines(drawing);
-  note_lines_on_fillings();
+  note_shapes_in_others();
   for (std::size_t k = 0; k < parts_.size(); ++k) cut_out(drawing.layers[k], parts_[k]);
   require_nothing_lost(drawing);
   for (std::size_t k = 0; k < parts_.size(); ++k) make_bodies(drawing.layers[k].name, std::move(parts_[k]));
@@ -207,38 +207,40 @@ void BodyMaker::read_parts(const Layer& layer, Sheet& sheet, std::vector<Named>&
   }
 }
 
-/// In one body this is told by overlap_of().
-void BodyMaker::note_lines_on_fillings() {
-  struct Filled {
+/// Contours drawn as lines in filled shapes of other bodies, and filled shapes in contours of others. Within one body
+/// overlap_of() reports them.
+void BodyMaker::note_shapes_in_others() {
+  struct Shape {
     const Named* named;
     std::size_t layer;
     SegmentBox box;
   };
-  std::vector<Filled> fillings;
+  std::vector<Shape> shapes;
   for (std::size_t k = 0; k < parts_.size(); ++k)
-    for (const Named& named : parts_[k])
-      if (!named.lines) fillings.push_back({&named, k, box_of(named.part.outline)});
-  std::size_t count = 0;
-  std::string first;
-  for (std::size_t k = 0; k < parts_.size(); ++k) {
-    for (const Named& line : parts_[k]) {
-      if (!line.lines) continue;
-      const SegmentBox box = box_of(line.part.outline);
-      const auto around = std::find_if(fillings.begin(), fillings.end(), [&](const Filled& filled) {
-        return filled.layer != k && filled.box.holds(box) &&
-               roughly_inside(filled.named->part, line.part.outline.front());
+    for (const Named& named : parts_[k]) shapes.push_back({&named, k, box_of(named.part.outline)});
+  for (const bool lines : {true, false}) {
+    std::size_t count = 0;
+    std::string first;
+    for (const Shape& inner : shapes) {
+      if (inner.named->lines != lines) continue;
+      const auto outer = std::find_if(shapes.begin(), shapes.end(), [&](const Shape& shape) {
+        return shape.named->lines != lines && shape.layer != inner.layer && shape.box.holds(inner.box) &&
+               roughly_inside(shape.named->part, inner.named->part.outline.front());
       });
-      if (around != fillings.end() && count++ == 0) first = line.place + ", in the shape at " + around->named->place;
+      if (outer != shapes.end() && count++ == 0) first = inner.named->place + ", in that at " + outer->named->place;
     }
+    if (count == 0) continue;
+    const bool one = count == 1;
+    const std::string what =
+        lines ? (one ? "1 contour drawn as a line lies in a filled shape of another body"
+                     : fmt::format("{} contours drawn as lines lie in filled shapes of other bodies", count))
+              : (one ? "1 filled shape lies in a contour of another body that is drawn as a line"
+                     : fmt::format("{} filled shapes lie in contours of other bodies that are drawn as lines", count));
+    file_.notes.push_back(fmt::format(
+        "{}, the first one at {}: {} (if one is meant as a hole, draw both as lines, in one "
+        "layer or group)",
+        what, first, one ? "it is a body of its own, not a hole" : "they are bodies of their own, not holes"));
   }
-  if (count == 0) return;
-  file_.notes.push_back(
-      fmt::format("{} drawn as {} in {} of another body, the first one at {}: {} (if one is meant as a hole, draw the "
-                  "shape around it "
-                  "as a line, too, and group the two)",
-                  count == 1 ? "1 contour" : std::to_string(count) + " contours",
-                  count == 1 ? "a line lies" : "lines lie", count == 1 ? "a filled shape" : "filled shapes", first,
-                  count == 1 ? "it is a body of its own, not a hole" : "they are bodies of their own, not holes"));
 }
 
 void BodyMaker::skip(const std::string& place, const std::string& what, const std::string& reason,

@@ -41,7 +41,7 @@ class BodyMaker {
   void read_lines(Drawing& drawing);
   void note_coarse_join(const std::vector<LineLayer>& lines);
   void note_border(const Drawing& drawing, const std::vector<Piece>& pieces);
-  void note_lines_on_fillings();
+  void note_shapes_in_others();
   void note_conflicts(const Drawing& drawing, const std::vector<LineLayer>& lines, const LayerPlan& plan);
   void cut_out(Layer& layer, std::vector<Named>& parts);
   void require_clear_nesting(const Drawing& drawing, const std::vector<Piece>& pieces);

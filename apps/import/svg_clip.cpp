@@ -12,26 +12,29 @@
 namespace taut::drawing {
 namespace {
 
-/// The frame of a parallelogram; nothing if the chains are something else.
-std::optional<Frame> frame_of(const std::vector<Chain>& chains) {
-  if (chains.size() != 1) return std::nullopt;
-  std::vector<Point> p = chains[0].points;
-  if (p.size() == 5 && p[0] == p[4]) p.pop_back();
-  if (p.size() != 4) return std::nullopt;
-  const Point u{p[1].x - p[0].x, p[1].y - p[0].y}, v{p[3].x - p[0].x, p[3].y - p[0].y};
-  const double size = std::hypot(u.x, u.y) + std::hypot(v.x, v.y);
-  if (std::hypot(p[0].x + u.x + v.x - p[2].x, p[0].y + u.y + v.y - p[2].y) > 1e-9 * size) return std::nullopt;
-  if (std::fabs(u.x * v.y - u.y * v.x) <= 1e-9 * size * size) return std::nullopt;
-  return Frame{{u.x, u.y, v.x, v.y, p[0].x, p[0].y}, "", "remove the clip"};
+struct OnlyShape {
+  std::size_t node;
+  std::optional<std::size_t> clone;  ///< the <use> by which it is there
+};
+
+/// The shape that a <use> stands for.
+std::optional<std::size_t> cloned_shape(const XmlTree& xml, const XmlElement& use) {
+  const std::string* link = use.find("href");
+  if (!link) link = use.find("xlink:href");
+  if (!link || !link->starts_with('#')) return std::nullopt;
+  const auto target = xml.by_id(link->substr(1));
+  return target && is_svg_shape(xml.element(*target).name) ? target : std::nullopt;
 }
 
-std::optional<std::size_t> only_shape_in(const XmlTree& xml, std::size_t node) {
-  std::optional<std::size_t> only;
+std::optional<OnlyShape> only_shape_in(const XmlTree& xml, std::size_t node) {
+  std::optional<OnlyShape> only;
   for (std::size_t child = node + 1; child < xml.end(node); child = xml.end(child)) {
-    const std::string& name = xml.element(child).name;
-    if (name == "title" || name == "desc") continue;
-    if (only || !is_svg_shape(name)) return std::nullopt;
-    only = child;
+    const XmlElement& element = xml.element(child);
+    if (element.name == "title" || element.name == "desc") continue;
+    const bool clone = element.name == "use";
+    const auto shape = clone ? cloned_shape(xml, element) : std::optional(child);
+    if (only || !shape || !is_svg_shape(xml.element(*shape).name)) return std::nullopt;
+    only = OnlyShape{*shape, clone ? std::optional(child) : std::nullopt};
   }
   return only;
 }
@@ -46,6 +49,22 @@ bool shows_all(const ElementStyle& style, const XmlElement& shape, bool mask) {
 }
 
 }  // namespace
+
+std::vector<Point> corners_of(const Frame& frame) {
+  return {frame.where({0, 0}), frame.where({1, 0}), frame.where({1, 1}), frame.where({0, 1})};
+}
+
+std::optional<Frame> frame_of(const std::vector<Chain>& chains) {
+  if (chains.size() != 1) return std::nullopt;
+  std::vector<Point> p = chains[0].points;
+  if (p.size() == 5 && p[0] == p[4]) p.pop_back();
+  if (p.size() != 4) return std::nullopt;
+  const Point u{p[1].x - p[0].x, p[1].y - p[0].y}, v{p[3].x - p[0].x, p[3].y - p[0].y};
+  const double size = std::hypot(u.x, u.y) + std::hypot(v.x, v.y);
+  if (std::hypot(p[0].x + u.x + v.x - p[2].x, p[0].y + u.y + v.y - p[2].y) > 1e-9 * size) return std::nullopt;
+  if (std::fabs(u.x * v.y - u.y * v.x) <= 1e-9 * size * size) return std::nullopt;
+  return Frame{{u.x, u.y, v.x, v.y, p[0].x, p[0].y}, "", "remove the clip"};
+}
 
 Beyond beyond_frame(const std::vector<Chain>& chains, const Frame& frame) {
   const Affine& f = frame.where;
@@ -86,13 +105,20 @@ std::vector<Frame> clipping_frames(std::size_t node, const XmlTree& xml, const S
     return {};
   const auto only = only_shape_in(xml, node);
   if (!only) return {};
-  const XmlElement& shape = xml.element(*only);
-  if (!shows_all(styles.style_of(*only), shape, mask) || has_unknown_size(shape, viewport)) return {};
+  const XmlElement& shape = xml.element(only->node);
+  if (!shows_all(styles.style_of(only->node), shape, mask) || has_unknown_size(shape, viewport)) return {};
   std::string unread;
   const auto own = placement_of(styles.style_of(node), viewport, unread);
-  const auto inner = placement_of(styles.style_of(*only), viewport, unread);
+  const auto inner = placement_of(styles.style_of(only->node), viewport, unread);
   if (!own || !inner) return {};
-  const Affine there = where * *own;
+  Affine there = where * *own;
+  if (only->clone) {
+    const XmlElement& use = xml.element(*only->clone);
+    const auto moved = placement_of(styles.style_of(*only->clone), viewport, unread);
+    const double x = user_length(use, "x", viewport, 0), y = user_length(use, "y", viewport, 0);
+    if (!moved || !std::isfinite(x + y) || !shows_all(styles.style_of(*only->clone), use, false)) return {};
+    there = there * *moved * translation(x, y);
+  }
   const ImportSettings settings;
   Flattener flattener(settings, 1e300, shape.place);
   auto frame = frame_of(svg_shape(shape, viewport, there * *inner, flattener));

@@ -1,6 +1,7 @@
 // What is seen of shapes of SVG: frames of drawings in drawings, clips and masks.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,10 @@ struct Frame {
   Affine where;  ///< from the unit square
   std::string place, remedy;
 };
+
+std::vector<Point> corners_of(const Frame& frame);
+/// The frame of a parallelogram; nothing if the chains are something else.
+std::optional<Frame> frame_of(const std::vector<Chain>& chains);
 
 /// How far a shape reaches beyond a frame.
 enum class Beyond { nothing, part, all };

@@ -126,6 +126,10 @@ class SvgReader {
     root.where = scaling(page.across * settings_.scale, -page.up * settings_.scale);
     root.viewport = page.viewport;
     root.layer = no_layer;
+    const auto box = view_box_of(element);
+    const double x = box ? box->x : 0, y = box ? box->y : 0;
+    const double w = page.viewport.width, h = page.viewport.height;
+    if (w > 0 && h > 0) page_ = Frame{root.where * translation(x, y) * scaling(w, h), element.place, ""};
     root = inside(0, root, true);
     root.layer = -1;
     open_.back().around = std::move(root);
@@ -315,10 +319,12 @@ class SvgReader {
       if (!reads_unpainted_)
         return drawing_.skip(element.place, what, "has neither a fill nor a stroke: it is not visible");
     }
-    if (is_background(element, s, filled)) return unread(element, "is as large as the page: its background");
+    const bool painted_only = filled && !(s.stroked && !s.clear_line && !s.no_width) && !s.nested;
+    if (painted_only && is_all_of_page(element)) return leave_out_background(element, s);
     if (has_unknown_size(element, s.viewport)) return lose(element, percent_reason);
     std::vector<Chain> chains = svg_shape(element, s.viewport, s.where, flattener_);
     if (chains.empty()) return drawing_.skip(element.place, what, "has no extent");
+    if (painted_only && fills_page(chains)) return leave_out_background(element, s);
     if (is_beyond_frames(element, s, chains)) return;
     Layer& layer = settings_.by == Grouping::color ? drawing_.layer(s.color.empty() ? "no color" : s.color)
                                                    : drawing_.layers[static_cast<std::size_t>(s.layer)];
@@ -333,10 +339,30 @@ class SvgReader {
     for (Chain& chain : chains) lines->chains.push_back(std::move(chain));
   }
 
-  /// Of the page itself, not of a drawing in it. A frame around the page may be a line to cut.
-  static bool is_background(const XmlElement& element, const Surroundings& s, bool filled) {
+  /// Also of a page whose size is not known.
+  static bool is_all_of_page(const XmlElement& element) {
     const std::string *width = element.find("width"), *height = element.find("height");
-    return filled && !s.nested && element.name == "rect" && width && height && *width == "100%" && *height == "100%";
+    return element.name == "rect" && width && height && *width == "100%" && *height == "100%" && !element.find("rx") &&
+           !element.find("ry") && !element.find("x") && !element.find("y") && !element.find("transform");
+  }
+
+  bool fills_page(const std::vector<Chain>& chains) const {
+    if (!page_) return false;
+    const auto frame = frame_of(chains);
+    return frame && beyond_frame(chains, *page_) == Beyond::nothing &&
+           beyond_frame({{corners_of(*page_), true, ""}}, *frame) == Beyond::nothing;
+  }
+
+  /// A rectangle without a line, as large as the page. If it is white, it is what programs write for the paper.
+  void leave_out_background(const XmlElement& element, const Surroundings& s) {
+    std::string color;
+    for (const char c : s.color)
+      if (!std::isspace(static_cast<unsigned char>(c))) color += static_cast<char>(std::tolower(c));
+    static const std::set<std::string> white{"white", "#fff", "#ffffff", "rgb(255,255,255)", "rgb(100%,100%,100%)"};
+    if (white.count(color)) return unread(element, "is white and as large as the page: its background");
+    drawing_.skip(lost_style(element.place, "<" + element.name + ">",
+                             "fills all of the page: it may be the background, or a plate",
+                             "delete it if it is the background; if it is a shape, give it a stroke"));
   }
 
   /// What is in part beyond a frame is an error, or its whole is taken.
@@ -390,6 +416,7 @@ class SvgReader {
   std::vector<Level> open_;
   std::vector<std::size_t> definitions_;
   std::set<std::size_t> drawn_definitions_;
+  std::optional<Frame> page_;  ///< if its size is known
   std::size_t cloned_ = 0, unpainted_ = 0;
   bool reads_unpainted_;
 };

@@ -26,6 +26,10 @@ TEST(ImportNotes, TellOfContoursOnFilledShapesOfOtherBodies) {
       "<svg><rect width='40' height='40'/><circle cx='20' cy='20' r='5' fill='none' stroke='red'/></svg>", "d.svg");
   EXPECT_EQ(plate.bodies.size(), 2u);
   EXPECT_TRUE(tells(plate, "it is a body of its own, not a hole")) << all_notes(plate);
+  const Import filled = examine(
+      "<svg><rect width='40' height='40' fill='none' stroke='red'/><circle cx='20' cy='20' r='5' fill='red'/></svg>",
+      "d.svg");
+  EXPECT_TRUE(tells(filled, "1 filled shape lies in a contour of another body")) << all_notes(filled);
   const Import beside = examine(
       "<svg><rect width='10' height='40'/><circle cx='20' cy='20' r='5' fill='none' stroke='red'/></svg>", "d.svg");
   EXPECT_EQ(all_notes(beside), "");

@@ -87,5 +87,36 @@ TEST(ImportSvgClip, TakesColoursWithoutCoverForNone) {
         << solid;
 }
 
+TEST(ImportSvgClip, ObeysTheClipsOfIllustrator) {
+  const std::string defs =
+      "<defs><rect id='r' width='100' height='100'/><clipPath id='c'><use xlink:href='#r' x='2'/></clipPath></defs>";
+  EXPECT_NEAR(
+      totals_of(examine("<svg>" + defs + "<rect clip-path='url(#c)' x='5' width='40' height='40'/></svg>", "d.svg"))
+          .area,
+      1600, 1e-9);
+  EXPECT_NE(refused(defs + "<rect clip-path='url(#c)' width='40' height='40'/>"), "") << "it reaches beyond the clip";
+}
+
+/// Whatever its spelling, what fills the page without a line is its background if it is white, and unclear otherwise.
+TEST(ImportSvgClip, LeavesOutThePagesBackgroundHoweverItIsSpelled) {
+  const std::string disc = "<circle cx='20' cy='20' r='5' fill='red'/>";
+  const auto page = [&](const std::string& shape) {
+    return examine("<svg width='40mm' height='40mm' viewBox='0 0 40 40'>" + shape + disc + "</svg>", "d.svg");
+  };
+  for (const char* spelled : {"<rect width='100%' height='100%' ", "<rect width='40' height='40' ",
+                              "<path d='M0 40H40V0H0z' ", "<polygon points='0,0 40,0 40,40 0,40' "}) {
+    const Import white = page(std::string(spelled) + "fill='#FFF'/>");
+    EXPECT_NEAR(totals_of(white).area, 78.5, 0.3) << spelled;
+    EXPECT_EQ(white.files[0].skipped.size(), 1u) << spelled;
+    EXPECT_EQ(page(std::string(spelled) + "fill='#ccc'/>").faults.size(), 1u) << spelled;
+    EXPECT_EQ(page(std::string(spelled) + "/>").faults.size(), 1u) << spelled;
+    EXPECT_NEAR(totals_of(page(std::string(spelled) + "fill='white' stroke='red'/>")).area, 1600 + 78.5, 0.3)
+        << spelled;
+  }
+  for (const char* shape :
+       {"<rect width='100%' height='100%' rx='4' fill='white'/>", "<rect width='40' height='39' fill='white'/>"})
+    EXPECT_TRUE(page(shape).faults.empty() && page(shape).files[0].skipped.empty()) << shape;
+}
+
 }  // namespace
 }  // namespace taut
