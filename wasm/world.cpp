@@ -44,7 +44,7 @@ std::size_t mark_wide(const CurvedWorld& curved, CurvedWorld::Halvings& marks) {
       for (std::size_t ring = 0; ring < parts[p].bands().size(); ++ring) {
         const auto& cells = parts[p].bands()[ring].cells();
         for (std::size_t k = 0; k < cells.size(); ++k) {
-          if (cells[k].settled || !(cells[k].thickness > wide)) continue;
+          if (cells[k].is_final || !(cells[k].thickness > wide)) continue;
           marks[b][p][ring][k] = 1;
           ++count;
         }
@@ -123,9 +123,11 @@ std::vector<double> World::tilings(double t) const {
   try {
     const Budget scope(Limits{seconds_for_tilings});
     if (!shapes_) shapes_.emplace(scene_);
-    for (const io::TilingLine& line :
-         io::tiling_lines(*shapes_, poses_at(scene_, shown), tilings_of_near_pairs(scene_, shown, touch_)))
-      numbers.insert(numbers.end(), {line.from.x, line.from.y, line.to.x, line.to.y, line.pq ? 1.0 : 0.0});
+    const std::vector<BodyPose> poses = poses_at(scene_, shown);
+    for (const NearEdge& line : io::tiling_lines(*shapes_, poses, tilings_of_near_pairs(scene_, shown, touch_))) {
+      const Point from = io::place_of(*shapes_, poses, line.from), to = io::place_of(*shapes_, poses, line.to);
+      numbers.insert(numbers.end(), {from.x, from.y, to.x, to.y, line.pq ? 1.0 : 0.0});
+    }
   } catch (const Interrupted&) {
     numbers.clear();
   }

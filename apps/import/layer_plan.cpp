@@ -271,13 +271,75 @@ class Planner {
 
 }  // namespace
 
-LayerPlan plan_layers(const std::vector<LineLayer>& layers, const OutlineSettings& settings) {
+namespace {
+
+struct Enclosed {
+  double area = 0;
+  bool doubtful = false;  ///< some lines seem meant to be closed
+};
+
+Enclosed enclosed_by(const std::vector<LineLayer>& layers, const std::vector<bool>& left_out,
+                     const OutlineSettings& settings) {
+  std::vector<Chain> chains;
+  for (std::size_t k = 0; k < layers.size(); ++k)
+    if (!left_out[k]) chains.insert(chains.end(), layers[k].chains.begin(), layers[k].chains.end());
+  const Outlines outlines = outlines_of_lines(chains, settings);
+  double twice = 0;
+  for (const Region& region : outlines.regions) {
+    twice += doubled_area(region.part.outline);
+    for (const Polygon& hole : region.part.holes) twice -= std::fabs(doubled_area(hole));
+  }
+  return {twice / 2, !outlines.suspicious.empty()};
+}
+
+bool encloses_nothing(const LineLayer& layer, const OutlineSettings& settings) {
+  const auto is_closed = [](const Chain& chain) { return chain.closed; };
+  return std::none_of(layer.chains.begin(), layer.chains.end(), is_closed) &&
+         outlines_of_lines(layer.chains, settings).regions.empty();
+}
+
+/// One after the other, in an order that does not depend on the file's.
+std::vector<bool> layers_of_marks(const std::vector<LineLayer>& layers, const std::vector<std::string>& names,
+                                  const OutlineSettings& settings) {
+  std::vector<bool> marks(layers.size(), false);
+  std::vector<std::size_t> open;
+  for (std::size_t k = 0; k < layers.size(); ++k)
+    if (encloses_nothing(layers[k], settings)) open.push_back(k);
+  if (open.empty()) return marks;
+  std::sort(open.begin(), open.end(), [&](std::size_t a, std::size_t b) { return names[a] < names[b]; });
+  constexpr double rounding = 1e-9;
+  // Where lines seem meant to be closed, those of any layer may belong to them.
+  const Enclosed all = enclosed_by(layers, marks, settings);
+  if (all.doubtful || !(all.area > 0)) return marks;
+  for (const std::size_t k : open) {
+    marks[k] = true;
+    const Enclosed without = enclosed_by(layers, marks, settings);
+    if (without.doubtful || std::fabs(without.area - all.area) > rounding * all.area) marks[k] = false;
+  }
+  return marks;
+}
+
+}  // namespace
+
+LayerPlan plan_layers(const std::vector<LineLayer>& layers, const std::vector<std::string>& names,
+                      const OutlineSettings& settings) {
   if (layers.size() < 2) {
     LayerPlan plan;
     if (!layers.empty()) plan.sets.push_back({0});
     return plan;
   }
-  return Planner(layers, settings).plan();
+  const std::vector<bool> marks = layers_of_marks(layers, names, settings);
+  std::vector<LineLayer> drawn = layers;
+  for (std::size_t k = 0; k < layers.size(); ++k)
+    if (marks[k]) drawn[k].chains.clear();
+  LayerPlan plan = Planner(drawn, settings).plan();
+  for (std::vector<std::size_t>& set : plan.sets) std::erase_if(set, [&](std::size_t k) { return marks[k]; });
+  for (std::size_t k = 0; k < layers.size(); ++k) {
+    if (!marks[k]) continue;
+    plan.marks.push_back(k);
+    plan.sets.push_back({k});
+  }
+  return plan;
 }
 
 void adopt_holes(std::vector<LineLayer>& layers, LayerPlan& plan, const OutlineSettings& settings) {

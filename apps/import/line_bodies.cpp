@@ -74,6 +74,12 @@ double least_extent(const std::vector<Chain>& chains) {
   return least;
 }
 
+std::vector<std::string> names_of(const Drawing& drawing, const std::vector<LineLayer>& lines) {
+  std::vector<std::string> names;
+  for (const LineLayer& layer : lines) names.push_back(drawing.layers[layer.layer].name);
+  return names;
+}
+
 }  // namespace
 
 /// Lines of layers, in the sets that the plan says.
@@ -96,9 +102,13 @@ void BodyMaker::read_lines(Drawing& drawing) {
   LayerPlan plan;
   const OutlineSettings settings = outline_settings();
   if (settings_.by == Grouping::automatic && drawing.nests)
-    plan = plan_layers(lines, settings);
+    plan = plan_layers(lines, names_of(drawing, lines), settings);
   else
     for (std::size_t k = 0; k < lines.size(); ++k) plan.sets.push_back({k});
+  for (const std::size_t k : plan.marks)
+    file_.notes.push_back(fmt::format("layer {} encloses nothing, and changes no area: its {} are marks",
+                                      io::excerpt(drawing.layers[lines[k].layer].name),
+                                      counted_text(lines[k].chains.size(), "line", "lines")));
   adopt_holes(lines, plan, settings);
   std::vector<Piece> pieces;
   for (std::size_t s = 0; s < plan.sets.size(); ++s) {

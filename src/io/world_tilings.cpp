@@ -9,12 +9,13 @@
 #include "io/svg_style.hpp"
 
 namespace taut::internal::io {
-namespace {
 
 Point place_of(const WorldShapes& shapes, const std::vector<BodyPose>& poses, const VertexRef& v) {
   const auto at = [](int i) { return static_cast<std::size_t>(i); };
   return placed(poses[at(v.body)], shapes.parts(at(v.body))[at(v.part)][at(v.ring)][at(v.index)]);
 }
+
+namespace {
 
 double across(const Polygon& ring) {
   Point lo = ring[0], hi = ring[0];

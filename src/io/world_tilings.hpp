@@ -10,6 +10,9 @@
 
 namespace taut::internal::io {
 
+/// A vertex in the world.
+Point place_of(const WorldShapes& shapes, const std::vector<BodyPose>& poses, const VertexRef& v);
+
 /// Each line once. Tilings of rings that are farther from each other than the smaller one is large are left out, except
 /// the only one of two bodies: they show little, and a body of many parts has many.
 std::vector<NearEdge> tiling_lines(const WorldShapes& shapes, const std::vector<BodyPose>& poses,

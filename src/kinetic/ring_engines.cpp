@@ -115,6 +115,10 @@ double RingEngines::time() const {
   return least;
 }
 
+bool RingEngines::are_at(double t) const {
+  return std::all_of(runs_.begin(), runs_.end(), [t](const Run& run) { return run.engine->time() == t; });
+}
+
 void RingEngines::replan(MotionSegments segments) {
   segments_ = std::move(segments);
   exchanged_segments_.reset();

@@ -34,6 +34,8 @@ class RingEngines {
   Arrival advance(double t, std::uint64_t events = UINT64_MAX);
   /// The time to which the tilings correspond; the earliest one, between events.
   double time() const;
+  /// Do all of them correspond to that time?
+  bool are_at(double t) const;
   /// Everything up to this time is proved.
   double reached() const;
   /// The corresponding time at present, between events: no failure is due before it.

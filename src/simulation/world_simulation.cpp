@@ -122,16 +122,20 @@ void WorldSimulation::ask_starts_of(const std::vector<int>& changed, const std::
 }
 
 void WorldSimulation::advance(double t) {
-  while (!over() && processed_ < t) {
-    const double to = std::min(t, near_.until());
-    advance_pairs(to);
-    if (over()) return;
-    processed_ = to;
-    now_ = std::max(now_, to);
-    if (to < near_.until() || near_.last()) continue;
-    near_.next();
-    forget_distant_pairs();
-  }
+  while (!over() && processed_ < t) advance_in_window(t);
+}
+
+/// To t, or to the end of the current window, and then into the next one. After a change of motion, the window may end
+/// at the present.
+void WorldSimulation::advance_in_window(double t) {
+  const double to = std::min(t, near_.until());
+  advance_pairs(to);
+  if (over()) return;
+  processed_ = std::max(processed_, to);
+  now_ = std::max(now_, to);
+  if (to < near_.until() || near_.last()) return;
+  near_.next();
+  forget_distant_pairs();
 }
 
 void WorldSimulation::advance_pairs(double to) {
@@ -145,20 +149,20 @@ void WorldSimulation::advance_pairs(double to) {
   conclude();
 }
 
-/// The near pair whose next event up to t comes first; null if no near pair has one.
-KineticSolver* WorldSimulation::first_to_fail(double t) {
-  KineticSolver* first = nullptr;
+/// Encloses the next event of a near pair up to t, in next_; false if no near pair has one.
+bool WorldSimulation::first_to_fail(double t) {
+  bool found = false;
   next_ = {t, t};
   near_.each([&](int a, int b) {
     KineticSolver& near = pair({a, b});
     if (!near.engines()) near.work(near_.from(), now_, std::numeric_limits<std::uint64_t>::max());
     if (!near.engines()) return;
     const auto next = near.engines()->next_event(next_.hi);
-    if (!next || (first && next->first >= next_.lo)) return;
+    if (!next || (found && next->first >= next_.lo)) return;
     next_ = {next->first, next->second};
-    first = &near;
+    found = true;
   });
-  return first;
+  return found;
 }
 
 std::optional<TimeInterval> WorldSimulation::next_event(double t) {
@@ -170,25 +174,28 @@ std::optional<TimeInterval> WorldSimulation::next_event(double t) {
     }
     conclude();
     if (over() || near_.last() || near_.until() >= t) break;
-    advance(until);
+    advance_in_window(until);
   }
   return std::nullopt;
 }
 
+/// The solver of the single pair, if it has just one tiling: then its events can be processed one by one.
+KineticSolver* WorldSimulation::only_tiling() {
+  KineticSolver* const only = single_pair();
+  return only && only->engines() && only->engines()->size() == 1 ? only : nullptr;
+}
+
 bool WorldSimulation::step(double t) {
   const std::uint64_t before = events();
-  if (next_event(t)) {
-    KineticSolver& first = *first_to_fail(std::min(t, near_.until()));
-    first.step(first.at(), std::min(t, near_.until()));
-    if (pairs_.size() > 1) {
-      advance_pairs(std::min(next_.hi, near_.until()));
-    } else {
-      certificates_max_ = std::max(certificates_max_, certificates());
-      conclude();
-    }
+  if (!next_event(t)) {
+    advance(t);
+  } else if (KineticSolver* const only = only_tiling()) {
+    only->step(only->at(), t);
+    certificates_max_ = std::max(certificates_max_, certificates());
+    conclude();
     note_time();
   } else {
-    advance(t);
+    advance(next_.hi);
   }
   return events() > before && !over();
 }
@@ -282,7 +289,7 @@ void WorldSimulation::replan_pairs_of(int body) {
     const auto known = pairs_.find(key(body, other));
     if (known == pairs_.end()) return;
     const RingEngines* engines = known->second->engines();
-    if (engines && engines->time() == now_ && now_ > instance_.start()) {
+    if (engines && engines->are_at(now_) && now_ > instance_.start()) {
       known->second->replan(now_);
     } else {
       pairs_.erase(known);

@@ -63,11 +63,13 @@ class WorldSimulation {
   using Key = std::pair<int, int>;
   static Key key(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
   KineticSolver& pair(const Key& key);
-  KineticSolver* first_to_fail(double t);
+  KineticSolver* only_tiling();
+  bool first_to_fail(double t);
   void forget_distant_pairs();
   bool may_meet_at_start(int a, int b) const;
   void ask_starts();
   void ask_starts_of(const std::vector<int>& changed, const std::vector<int>& groups_before);
+  void advance_in_window(double t);
   void advance_pairs(double to);
   void replan_pairs_of(int body);
   void note_time();

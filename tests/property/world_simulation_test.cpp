@@ -53,6 +53,7 @@ void change_plans(Scene scene, Touch touch, Rng& rng, SimulationCounts& counts) 
     if (answer.contact && answer.contact->time.lo <= next) return;
     ASSERT_EQ(simulation.advance_to(next), SimulationState::running) << simulation.reason();
     EXPECT_EQ(simulation.time(), next);
+    if (rng.chance(0.3)) simulation.step();
     if (rng.chance(0.3)) simulation.next_event();
     if (simulation.state() != SimulationState::running) return;
     now = simulation.time();
@@ -221,6 +222,49 @@ TEST(WorldSimulation, ACarriedPolygonHasATilingInTheWorld) {
     EXPECT_NEAR(v.position.x, local.x + along, 1e-12);
     EXPECT_NEAR(v.position.y, local.y + 4, 1e-12);
   }
+}
+
+Polygon triangle(double x, double y) { return {{x, y}, {x + 1, y}, {x, y + 1}}; }
+
+/// A pair of bodies with parts has several tilings. A step must not process a later event of one of them.
+TEST(WorldSimulation, StepsThroughAllTilingsOfAPairInOrder) {
+  Scene scene;
+  scene.end = 8;
+  Body two{"two", {}, from_velocity({0.5, -0.5})};
+  two.parts = {{triangle(-3, 2), {}}, {triangle(-1, 2), {}}};
+  scene.bodies = {two, {"one", triangle(2, 0), from_velocity({-0.5, 0})}};
+  const Answer answer = check(scene);
+  ASSERT_TRUE(answer.contact);
+  Simulation simulation(scene);
+  simulation.step();
+  EXPECT_EQ(simulation.advance_to(0.5), SimulationState::running);
+  EXPECT_EQ(simulation.advance_to(8), SimulationState::contact);
+  EXPECT_NEAR(simulation.contact()->time.lo, answer.contact->time.lo, 1e-12);
+  scene.bodies = {two, {"one", triangle(0, 8), from_velocity({-0.5, 0})}};
+  scene.bodies[0].motion = {};
+  Simulation changed(scene);
+  changed.step();
+  changed.advance_to(2);
+  EXPECT_NO_THROW(changed.set_motion(0, {}));
+  EXPECT_EQ(changed.advance_to(8), SimulationState::finished);
+}
+
+TEST(WorldSimulation, StepsOnAfterABodyThatRestedMoves) {
+  Scene scene;
+  scene.end = 10;
+  scene.bodies = {{"a", triangle(0, 0), {}}, {"b", {{1, 0.5}, {2, 0.5}, {1, 1.5}}, {}}, {"c", triangle(0, 5), {}}};
+  SimulationOptions options;
+  options.limits.max_seconds = 5;
+  Simulation simulation(scene, options);
+  simulation.advance_to(5);
+  MotionPiece left;
+  left.x = {0, -0.5};
+  left.origin = 5;
+  simulation.set_motion(0, Motion{{left}});
+  while (simulation.step()) {
+  }
+  EXPECT_EQ(simulation.state(), SimulationState::finished) << simulation.reason();
+  EXPECT_EQ(simulation.time(), 10);
 }
 
 }  // namespace

@@ -222,5 +222,38 @@ TEST(ImportLayers, ThatTouchAtAPointAreReadTogether) {
   expect_areas(hole, {{"outer", 350}});
 }
 
+/// Bends and centre lines have layers of their own. They must not make bodies of the holes that they cross.
+TEST(ImportLayers, MarksChangeNothing) {
+  constexpr double disc = 25 * 3.14159265;
+  for (const auto& [from, to] : std::vector<std::pair<Point, Point>>{{{0, 30}, {100, 30}},
+                                                                     {{22, 30}, {38, 30}},
+                                                                     {{-5, 30}, {105, 30}},
+                                                                     {{1, 30}, {99, 30}},
+                                                                     {{30, 0}, {30, 35}}}) {
+    std::vector<Entity> plate{box({0, 0}, {100, 60}, "CUT"),
+                              [](DxfText& text) {
+                                text.circle({30, 30}, 5, "HOLES");
+                              },
+                              [=](DxfText& text) { text.line(from, to, "MARK"); }};
+    for (int round = 0; round < 3; ++round) {
+      const Import import = read(plate);
+      expect_totals(import, 6000 - disc, 1, 1, 0.3);
+      EXPECT_NE(drawing::report_text(import, {}).find("layer MARK encloses nothing"), std::string::npos);
+      std::rotate(plate.begin(), plate.begin() + 1, plate.end());
+    }
+  }
+  // An outline whose sides are on layers of their own is none of them, closed or not.
+  std::vector<Entity> sides{[](DxfText& text) { text.circle({30, 30}, 5, "HOLES"); }};
+  const Point corners[] = {{0, 0}, {100, 0}, {100, 60}, {0, 60}};
+  for (int k = 0; k < 4; ++k)
+    sides.push_back([=](DxfText& text) {
+      text.line(corners[k], corners[(k + 1) % 4], std::string(1, static_cast<char>('a' + k)));
+    });
+  expect_totals(read(sides), 6000 - disc, 1, 1, 0.3);
+  sides.pop_back();
+  sides.push_back([=](DxfText& text) { text.line(corners[3], {0, 0.4}, "d"); });
+  EXPECT_FALSE(read(sides).faults.empty());
+}
+
 }  // namespace
 }  // namespace taut
