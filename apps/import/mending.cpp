@@ -112,6 +112,98 @@ bool dissolve_small_faces(const LineGraph& graph, std::vector<bool>& alive, cons
   return !merges.empty();
 }
 
+namespace {
+
+/// The half-edges of a block that is one simple cycle, in order; empty if it is something else.
+std::vector<int> cycle_of(const LineGraph& graph, const Incidence& all, const std::vector<int>& block,
+                          const std::vector<std::size_t>& edges) {
+  const int number = block[edges.front()];
+  std::vector<int> cycle;
+  int h = static_cast<int>(2 * edges.front());
+  do {
+    cycle.push_back(h);
+    const int there = graph.target(h);
+    int onward = -1, count = 0;
+    for (const int* out = all.begin(there); out != all.end(there); ++out) {
+      if (block[static_cast<std::size_t>(*out / 2)] != number) continue;
+      ++count;
+      if (*out != (h ^ 1)) onward = *out;
+    }
+    if (count != 2) return {};
+    h = onward;
+  } while (h != cycle.front() && cycle.size() <= edges.size());
+  return cycle.size() == edges.size() ? cycle : std::vector<int>();
+}
+
+double twice_area_of(const LineGraph& graph, const std::vector<int>& cycle) {
+  const Point& o = graph.point(graph.target(cycle.front()));
+  double twice = 0;
+  for (const int h : cycle) {
+    const Point &a = graph.point(graph.target(h ^ 1)), &b = graph.point(graph.target(h));
+    twice += (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x);
+  }
+  return std::fabs(twice);
+}
+
+/// Positions in the cycle of the nodes where other lines go on, or else of those farthest from there; in order. None if
+/// there are more than two.
+std::vector<std::size_t> ends_of(const LineGraph& graph, const Incidence& all, const std::vector<int>& cycle) {
+  std::vector<std::size_t> ends;
+  for (std::size_t k = 0; k < cycle.size(); ++k)
+    if (all.degree(graph.target(cycle[k])) > 2) ends.push_back(k);
+  if (ends.size() > 2) return {};
+  const auto farthest = [&](std::size_t from) {
+    const Point& p = graph.point(graph.target(cycle[from]));
+    const auto distance = [&](int h) {
+      const Point& q = graph.point(graph.target(h));
+      return std::hypot(q.x - p.x, q.y - p.y);
+    };
+    const auto most =
+        std::max_element(cycle.begin(), cycle.end(), [&](int g, int h) { return distance(g) < distance(h); });
+    return static_cast<std::size_t>(most - cycle.begin());
+  };
+  if (ends.empty()) ends.push_back(farthest(0));
+  if (ends.size() == 1) ends.push_back(farthest(ends[0]));
+  std::sort(ends.begin(), ends.end());
+  return ends;
+}
+
+/// Of the two ways from end to end.
+std::vector<int> longer_copy(const LineGraph& graph, const std::vector<int>& cycle,
+                             const std::vector<std::size_t>& ends) {
+  std::vector<int> copies[2];
+  double lengths[2] = {0, 0};
+  for (std::size_t k = 0; k < cycle.size(); ++k) {
+    const std::size_t copy = ends[0] < k && k <= ends[1] ? 0 : 1;
+    copies[copy].push_back(cycle[k]);
+    lengths[copy] += graph.length(cycle[k]);
+  }
+  return copies[lengths[0] > lengths[1] ? 0 : 1];
+}
+
+}  // namespace
+
+void thin_doubled_lines(const LineGraph& graph, std::vector<bool>& alive, double join, double size,
+                        std::vector<Repair>& repairs) {
+  if (!(join > 0)) return;
+  const Incidence all(graph, alive);
+  const std::vector<int> block_of = blocks_of(graph, alive);
+  for (const BlockFacts& block : facts_of_blocks(graph, block_of)) {
+    if (block.edges.size() < 2 || block.box.extent() <= std::max(join, size)) continue;
+    const std::vector<int> cycle = cycle_of(graph, all, block_of, block.edges);
+    double around = 0;
+    for (const int h : cycle) around += graph.length(h);
+    if (cycle.empty() || 2 * twice_area_of(graph, cycle) > join * around) continue;
+    const std::vector<std::size_t> ends = ends_of(graph, all, cycle);
+    if (ends.empty() || ends[0] == ends[1]) continue;
+    const std::vector<int> copy = longer_copy(graph, cycle, ends);
+    for (const int h : copy) alive[static_cast<std::size_t>(h / 2)] = false;
+    repairs.push_back({Repair::Kind::sliver, graph.point(graph.target(copy.front())),
+                       twice_area_of(graph, cycle) / around,
+                       graph.edges[static_cast<std::size_t>(copy.front() / 2)].source});
+  }
+}
+
 bool cut_loops(const LineGraph& graph, std::vector<bool>& alive, double size, std::vector<Repair>& repairs) {
   if (!(size > 0)) return false;
   const std::vector<BlockFacts> blocks = facts_of_blocks(graph, blocks_of(graph, alive));

@@ -21,6 +21,12 @@ struct Repair {
 /// longer alive. False if there are none.
 bool cut_loops(const LineGraph& graph, std::vector<bool>& alive, double size, std::vector<Repair>& repairs);
 
+/// A line that is drawn twice, with copies that cross or meet at their ends only, is a cycle narrower than half of
+/// `join` and larger than `size`, in a block of its own. One of the copies is no longer alive, so that the other one
+/// still leads from end to end.
+void thin_doubled_lines(const LineGraph& graph, std::vector<bool>& alive, double join, double size,
+                        std::vector<Repair>& repairs);
+
 /// Joins faces to the one with which they share most of their boundary: those that are narrower than half of `join`,
 /// between lines that are meant to be one, and those that are no larger than `size`, at a larger block. `faces` are
 /// those of the edges that are alive; edges between joined ones no longer are. False if there was nothing to do.

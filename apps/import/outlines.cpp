@@ -45,6 +45,7 @@ class OutlineMaker {
 
   Outlines of_lines() {
     join();
+    thin_doubled_lines(graph_, alive_, settings_.join, settings_.repair, out_.repairs);
     prune(true);
     find_suspicious(settings_.close);
     if (settings_.close && !out_.suspicious.empty()) close();

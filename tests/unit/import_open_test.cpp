@@ -80,5 +80,29 @@ TEST(ImportOpen, LeavesOutOpenLinesThatEncloseNothing) {
   EXPECT_EQ(import.files[0].open.size(), 15u);
 }
 
+/// Copies of one side that cross are two slivers, which are narrower than lines that count as one. They must not take
+/// the side with them.
+TEST(ImportOpen, ASideDrawnTwiceIsStillASide) {
+  for (const bool closed : {true, false}) {
+    DxfText text;
+    text.line({-40, -40}, {40, -40}).line({40, 40}, {-40, 40}).line({-40, 40}, {-40, closed ? -40 : -39.7});
+    text.line({40, -40}, {40, 40}).line({40.002, -40}, {39.998, 40}).box({10, 10}, {20, 20});
+    const Import import = examine(text);
+    if (closed) {
+      expect_totals(import, 6300, 1, 1, 0.5);
+    } else {
+      EXPECT_EQ(import.faults.size(), 1u) << drawing::report_text(import, {});
+      ImportSettings settings;
+      settings.open = drawing::OpenRings::close;
+      expect_totals(examine(text, settings), 6300, 1, 1, 0.5);
+    }
+  }
+  // Of a line that is free at one end, too.
+  DxfText text;
+  text.line({-40, -40}, {40, -40}).line({40, -40}, {40, 40}).line({40, 40}, {-40, 40}).box({10, 10}, {20, 20});
+  text.line({-40, 40}, {-40, -39.7}).line({-40.002, 40}, {-39.998, -39.7});
+  EXPECT_EQ(examine(text).faults.size(), 1u);
+}
+
 }  // namespace
 }  // namespace taut
