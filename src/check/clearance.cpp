@@ -70,12 +70,12 @@ class ClearanceSearch {
   }
 
   /// Searches pairs in the order of the distance of their boxes, in rounds of increasing reach, until no other pair can
-  /// be closer than the distance found.
+  /// be closer than the distance found. If that is 0, all pairs whose boxes meet are searched for the first touch.
   void search_all() {
     double reach = options_.all_pairs ? INFINITY : 0;
     for (;;) {
       for (const BoxedPair& pair : new_pairs(reach)) {
-        if (!options_.all_pairs && pair.bound > tolerance_.least(best_)) return;
+        if (!options_.all_pairs && pair.bound > (best_ > 0 ? tolerance_.least(best_) : 0)) return;
         report_parts("pairs", searched_.size());
         searched_.emplace(pair.a, pair.b);
         search(pair);
@@ -104,6 +104,7 @@ class ClearanceSearch {
     NearestPoints found;
     found.pair = {pair.a, pair.b};
     if (!touching(search, found)) {
+      if (!options_.all_pairs && !(best_ > 0)) return;
       spacetime::Nearest nearest;
       nearest.distance = options_.all_pairs ? INFINITY : best_;
       const double before = nearest.distance;
@@ -116,9 +117,15 @@ class ClearanceSearch {
       describe(search, nearest, found);
     }
     if (options_.all_pairs) answer_.pairs.push_back(found);
-    if (answer_.nearest && !(found.hi < answer_.nearest->hi)) return;
+    if (answer_.nearest && !is_nearer(found, *answer_.nearest)) return;
     answer_.nearest = found;
     best_ = std::ldexp(found.hi, instance_.exponent());
+  }
+
+  /// Of two pairs that touch, the one that does so first.
+  static bool is_nearer(const NearestPoints& a, const NearestPoints& b) {
+    if (a.hi != b.hi) return a.hi < b.hi;
+    return !(a.hi > 0) && a.time.lo < b.time.lo;
   }
 
   /// Bodies that touch have no distance.

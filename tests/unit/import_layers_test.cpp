@@ -225,11 +225,12 @@ TEST(ImportLayers, ThatTouchAtAPointAreReadTogether) {
 /// Bends and centre lines have layers of their own. They must not make bodies of the holes that they cross.
 TEST(ImportLayers, MarksChangeNothing) {
   constexpr double disc = 25 * 3.14159265;
-  for (const auto& [from, to] : std::vector<std::pair<Point, Point>>{{{0, 30}, {100, 30}},
-                                                                     {{22, 30}, {38, 30}},
-                                                                     {{-5, 30}, {105, 30}},
-                                                                     {{1, 30}, {99, 30}},
-                                                                     {{30, 0}, {30, 35}}}) {
+  for (const auto& ends : std::vector<std::pair<Point, Point>>{{{0, 30}, {100, 30}},
+                                                               {{22, 30}, {38, 30}},
+                                                               {{-5, 30}, {105, 30}},
+                                                               {{1, 30}, {99, 30}},
+                                                               {{30, 0}, {30, 35}}}) {
+    const Point from = ends.first, to = ends.second;
     std::vector<Entity> plate{box({0, 0}, {100, 60}, "CUT"),
                               [](DxfText& text) {
                                 text.circle({30, 30}, 5, "HOLES");
