@@ -9,8 +9,6 @@ namespace {
 
 /// With fewer certificates, evaluating each is cheaper than a region.
 constexpr std::size_t few_certificates = 64;
-/// On a bridge, each frame is computed from four poses, and testing a region costs as much as this many certificates.
-constexpr std::size_t many_certificates = 2048;
 /// A region is kept if it makes this share of the active set dormant.
 constexpr double good_share = 0.75;
 /// If a region leaves this share or more open, a better region is tried once the open certificates have cost several
