@@ -321,11 +321,8 @@ void BodyMaker::add_body(const std::string& wanted, std::vector<Named> named) {
     box.include(box_of(part.outline));
     report.holes += part.holes.size();
     report.vertices += part.outline.size();
-    report.area += std::fabs(doubled_area(part.outline)) / 2;
-    for (const Polygon& hole : part.holes) {
-      report.vertices += hole.size();
-      report.area -= std::fabs(doubled_area(hole)) / 2;
-    }
+    report.area += area_of(part);
+    for (const Polygon& hole : part.holes) report.vertices += hole.size();
   }
   report.low = {box.lo_x, box.lo_y};
   report.high = {box.hi_x, box.hi_y};

@@ -334,4 +334,10 @@ double doubled_area(const Polygon& ring) {
   return sum;
 }
 
+double area_of(const Part& part) {
+  double twice = std::fabs(doubled_area(part.outline));
+  for (const Polygon& hole : part.holes) twice -= std::fabs(doubled_area(hole));
+  return twice / 2;
+}
+
 }  // namespace taut::drawing

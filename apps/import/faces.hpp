@@ -57,5 +57,7 @@ std::vector<Region> regions_of(const FaceMap& faces, const FaceKeys& keys);
 
 /// Twice the area of a ring, positive if it runs counterclockwise; rounded.
 double doubled_area(const Polygon& ring);
+/// Of the part, less its holes; rounded.
+double area_of(const Part& part);
 
 }  // namespace taut::drawing

@@ -269,10 +269,6 @@ class Planner {
   std::map<std::pair<std::size_t, std::size_t>, Where> where_;
 };
 
-}  // namespace
-
-namespace {
-
 struct Enclosed {
   double area = 0;
   bool doubtful = false;  ///< some lines seem meant to be closed
@@ -284,12 +280,9 @@ Enclosed enclosed_by(const std::vector<LineLayer>& layers, const std::vector<boo
   for (std::size_t k = 0; k < layers.size(); ++k)
     if (!left_out[k]) chains.insert(chains.end(), layers[k].chains.begin(), layers[k].chains.end());
   const Outlines outlines = outlines_of_lines(chains, settings);
-  double twice = 0;
-  for (const Region& region : outlines.regions) {
-    twice += doubled_area(region.part.outline);
-    for (const Polygon& hole : region.part.holes) twice -= std::fabs(doubled_area(hole));
-  }
-  return {twice / 2, !outlines.suspicious.empty()};
+  double area = 0;
+  for (const Region& region : outlines.regions) area += area_of(region.part);
+  return {area, !outlines.suspicious.empty()};
 }
 
 bool encloses_nothing(const LineLayer& layer, const OutlineSettings& settings) {
@@ -328,11 +321,15 @@ LayerPlan plan_layers(const std::vector<LineLayer>& layers, const std::vector<st
     if (!layers.empty()) plan.sets.push_back({0});
     return plan;
   }
+  LayerPlan plan = Planner(layers, settings).plan();
+  if (plan.conflicts.empty()) return plan;
+  // Marks may be the cause. To find them takes several readings of all lines.
   const std::vector<bool> marks = layers_of_marks(layers, names, settings);
+  if (std::find(marks.begin(), marks.end(), true) == marks.end()) return plan;
   std::vector<LineLayer> drawn = layers;
   for (std::size_t k = 0; k < layers.size(); ++k)
     if (marks[k]) drawn[k].chains.clear();
-  LayerPlan plan = Planner(drawn, settings).plan();
+  plan = Planner(drawn, settings).plan();
   for (std::vector<std::size_t>& set : plan.sets) std::erase_if(set, [&](std::size_t k) { return marks[k]; });
   for (std::size_t k = 0; k < layers.size(); ++k) {
     if (!marks[k]) continue;

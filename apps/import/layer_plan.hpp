@@ -27,7 +27,7 @@ struct LayerPlan {
   std::vector<std::vector<std::size_t>> sets;  ///< indices of line layers that are read together
   std::vector<LayerConflict> conflicts;        ///< of layers that are therefore read apart
   bool common = false;                         ///< is the first set of layers that have no conflict?
-  std::vector<std::size_t> marks;              ///< line layers that enclose nothing, and change no area: read apart
+  std::vector<std::size_t> marks;  ///< line layers that had conflicts, enclose nothing, and change no area: read apart
 };
 
 /// Layers that have parts of one outline are read together: an end of a line in one of them meets a line of another

@@ -251,17 +251,12 @@ bool BodyMaker::encloses(const Piece& outer, const Piece& inner) const {
 }
 
 void BodyMaker::fail_nesting(const Drawing& drawing, const Piece& inner, const Piece& outer) {
-  const auto area = [](const Piece& piece) {
-    double twice = doubled_area(piece.region.part.outline);
-    for (const Polygon& hole : piece.region.part.holes) twice -= std::fabs(doubled_area(hole));
-    return twice / 2;
-  };
   fail(inner.place,
        fmt::format("the layer \"{}\" has an outline (area {:.6g}) within layer \"{}\" (area {:.6g}), and one of the "
                    "two crosses another layer, shares a line with it, or touches it at several points: is it a hole or "
                    "a body?",
-                   io::excerpt(drawing.layers[inner.layer].name), area(inner),
-                   io::excerpt(drawing.layers[outer.layer].name), area(outer)),
+                   io::excerpt(drawing.layers[inner.layer].name), area_of(inner.region.part),
+                   io::excerpt(drawing.layers[outer.layer].name), area_of(outer.region.part)),
        "say --by layer, if each layer is a body, or --merge-layers, if all of them are lines to cut");
 }
 

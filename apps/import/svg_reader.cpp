@@ -357,7 +357,8 @@ class SvgReader {
   void leave_out_background(const XmlElement& element, const Surroundings& s) {
     std::string color;
     for (const char c : s.color)
-      if (!std::isspace(static_cast<unsigned char>(c))) color += static_cast<char>(std::tolower(c));
+      if (!std::isspace(static_cast<unsigned char>(c)))
+        color += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     static const std::set<std::string> white{"white", "#fff", "#ffffff", "rgb(255,255,255)", "rgb(100%,100%,100%)"};
     if (white.count(color)) return unread(element, "is white and as large as the page: its background");
     drawing_.skip(lost_style(element.place, "<" + element.name + ">",

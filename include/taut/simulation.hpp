@@ -109,7 +109,8 @@ struct ActiveCertificate {
 
 /// Where a simulation stands.
 enum class SimulationState : std::uint8_t {
-  running,           ///< the tested pairs are free of collisions up to time(), and there may be more events
+  running,           ///< the tested pairs are free of collisions up to time(), but for events that nearly coincide with
+                     ///< the last one (see time()), and there may be more events
   finished,          ///< the tested pairs are free of collisions to the end of the scene
   contact,           ///< the first collision, see contact()
   overlap_at_start,  ///< the bodies overlap already at the start

@@ -137,7 +137,7 @@ def test_a_world_whose_plans_change():
     assert answer.engine == "kinetic" and answer.contact.t[0] <= 6 <= answer.contact.t[1]
     assert simulation.pair == answer.pair == ("room", "cart")
     assert [other.bodies for other in simulation.also] == [other.bodies for other in answer.also] == [("room", "load")]
-    with pytest.raises(InputError, match="only a scene of two bodies"):
+    with pytest.raises(InputError, match="only two bodies of one ring"):
         simulation.tiling()
 
 

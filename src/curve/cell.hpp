@@ -43,8 +43,6 @@ struct Resolution {
   double size = 1;  ///< a power of two, no coordinate is larger
   /// Half the width of a gate.
   double gate() const { return size * 0x1p-47; }
-  /// Cells become no thinner than about this.
-  double finest() const { return size * 0x1p-41; }
 };
 
 /// A gate across the curve at the end of a piece that is not an exact point.

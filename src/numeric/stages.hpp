@@ -1,5 +1,5 @@
-// The stages that decide a sign, a root or an order of roots, and counts of their decisions: the table under "Numbers
-// and stages" in ARCHITECTURE.md, row by row.
+// The stages that decide a sign, a root or an order of roots, and counts of their decisions: the table in
+// docs/internals/numerics.md, row by row.
 //
 // If no stage beyond doubles was needed, the displacement decided nothing: both readings of touching have the same
 // answer.

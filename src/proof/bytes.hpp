@@ -64,7 +64,7 @@ class ByteWriter {
 };
 
 /// Reads; throws ProofError where the log ends too soon. How long it is, is known: what a log says may not take more
-/// room or time than it has bytes for. A stream that does not decide its length is read first.
+/// room or time than it has bytes for. A stream that does not state its length is read first.
 class ByteReader {
  public:
   explicit ByteReader(std::istream& in) : in_(*in.rdbuf()) {

@@ -79,8 +79,7 @@ Coverage Simulation::coverage() const {
 
 double Simulation::time() const {
   const Impl& impl = usable();
-  if (!impl.reason.empty() || !impl.world) return impl.free_until;
-  return impl.world->time();
+  return impl.world ? impl.world->time() : impl.start;
 }
 
 std::optional<TimeInterval> Simulation::next_event() {

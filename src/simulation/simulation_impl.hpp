@@ -15,7 +15,7 @@ namespace taut {
 using namespace internal;
 
 struct Simulation::Impl final : KineticObserver {
-  Impl(const Scene& scene, const SimulationOptions& given) : options(given), free_until(scene.start) {
+  Impl(const Scene& scene, const SimulationOptions& given) : options(given), start(scene.start) {
     changing([&] {
       world = std::make_unique<WorldSimulation>(scene, options.touch, options.max_events, this);
       if (options.tracer) only_pair();
@@ -45,9 +45,7 @@ struct Simulation::Impl final : KineticObserver {
   }
 
   void give_up(const std::string& why) {
-    if (world && world->over()) return;
-    reason = why;
-    if (world) free_until = world->time();
+    if (!world || !world->over()) reason = why;
   }
   bool undecided() const { return !reason.empty() || (world && world->answer().outcome == Outcome::undecided); }
   const std::string& why_undecided() const { return reason.empty() && world ? world->answer().reason : reason; }
@@ -72,7 +70,7 @@ struct Simulation::Impl final : KineticObserver {
   SimulationOptions options;
   bool broken = false;
   std::string reason;  ///< why it is undecided, or empty
-  double free_until;   ///< while there is no world
+  double start;
   RepairReport last;
   std::unique_ptr<WorldSimulation> world;  ///< null if a limit ended its construction
 };

@@ -50,8 +50,8 @@ const KineticSolver& Simulation::Impl::only_pair() const {
   const KineticSolver* const solver = world->single_pair();
   if (!solver || !solver->bodies().has_single_rings())
     throw InputError("bodies",
-                     "only a scene of two bodies, each one polygon, has one tiling: each two rings of others "
-                     "that are near have one of their own",
+                     "only two bodies of one ring each have one tiling; in other scenes, each two rings that are near "
+                     "have their own",
                      "simulate two of its bodies, each as one polygon");
   return *solver;
 }

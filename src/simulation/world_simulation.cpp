@@ -65,12 +65,8 @@ KineticSolver& WorldSimulation::pair(const Key& key) {
   return *known->second;
 }
 
-KineticSolver* WorldSimulation::single_pair() {
+KineticSolver* WorldSimulation::single_pair() const {
   return instance_.is_single_pair() && !pairs_.empty() ? pairs_.begin()->second.get() : nullptr;
-}
-
-const KineticSolver* WorldSimulation::single_pair() const {
-  return const_cast<WorldSimulation*>(this)->single_pair();  // which changes nothing
 }
 
 const RingEngines* WorldSimulation::engines(int a, int b) const {
@@ -180,7 +176,7 @@ std::optional<TimeInterval> WorldSimulation::next_event(double t) {
 }
 
 /// The solver of the single pair, if it has just one tiling: then its events can be processed one by one.
-KineticSolver* WorldSimulation::only_tiling() {
+KineticSolver* WorldSimulation::only_tiling() const {
   KineticSolver* const only = single_pair();
   return only && only->engines() && only->engines()->size() == 1 ? only : nullptr;
 }

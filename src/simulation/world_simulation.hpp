@@ -37,10 +37,8 @@ class WorldSimulation {
 
   double start() const { return start_; }
   double end() const { return instance_.end(); }
-  const Instance& instance() const { return instance_; }
   /// The solver of the single pair; null if there is none.
-  const KineticSolver* single_pair() const;
-  KineticSolver* single_pair();
+  KineticSolver* single_pair() const;
   /// The current tilings of two bodies; null if they have none.
   const RingEngines* engines(int a, int b) const;
   /// The time to which the tilings correspond. All events before it are processed, but for some that nearly coincide
@@ -63,7 +61,7 @@ class WorldSimulation {
   using Key = std::pair<int, int>;
   static Key key(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
   KineticSolver& pair(const Key& key);
-  KineticSolver* only_tiling();
+  KineticSolver* only_tiling() const;
   bool first_to_fail(double t);
   void forget_distant_pairs();
   bool may_meet_at_start(int a, int b) const;
