@@ -4,12 +4,12 @@
 #include <exception>
 #include <memory>
 
-#include "base/errors.hpp"
 #include "bench.hpp"
 #include "families.hpp"
 #include "generators/shapes.hpp"
 #include "heap.hpp"
-#include "simulation/world_simulation.hpp"
+#include "numeric/errors.hpp"
+#include "session/world_simulation.hpp"
 #include "taut/simulation.hpp"
 
 namespace taut::bench {

@@ -6,10 +6,10 @@
 
 #include "bench.hpp"
 #include "families.hpp"
+#include "motion/make_segments.hpp"
+#include "motion/motion_segment.hpp"
 #include "motion/pieces.hpp"
-#include "pair/body_pair.hpp"
-#include "relative/make_segments.hpp"
-#include "relative/motion_segment.hpp"
+#include "scene/body_pair.hpp"
 #include "spacetime/first_contact.hpp"
 #include "yardstick.hpp"
 

@@ -2,15 +2,15 @@
 #include <exception>
 #include <string>
 
-#include "base/errors.hpp"
 #include "bench.hpp"
 #include "coastline.hpp"
 #include "heap.hpp"
+#include "motion/make_segments.hpp"
+#include "motion/motion_segment.hpp"
 #include "motion/pieces.hpp"
-#include "pair/placement.hpp"
-#include "relative/make_segments.hpp"
-#include "relative/motion_segment.hpp"
-#include "simulation/world_simulation.hpp"
+#include "numeric/errors.hpp"
+#include "scene/placement.hpp"
+#include "session/world_simulation.hpp"
 #include "tiling/checks.hpp"
 #include "tiling/static_tiling.hpp"
 

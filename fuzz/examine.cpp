@@ -3,11 +3,11 @@
 #include <cctype>
 #include <sstream>
 
-#include "base/budget.hpp"
-#include "base/errors.hpp"
 #include "io/json_text.hpp"
-#include "pair/placement.hpp"
+#include "numeric/budget.hpp"
+#include "numeric/errors.hpp"
 #include "replan.hpp"
+#include "scene/placement.hpp"
 #include "support/audit.hpp"
 #include "support/tiling_run.hpp"
 #include "taut/error.hpp"

@@ -8,8 +8,8 @@
 #include <sstream>
 #include <vector>
 
-#include "base/budget.hpp"
 #include "bytes.hpp"
+#include "numeric/budget.hpp"
 #include "proof/curve_log.hpp"
 #include "proof/log_text.hpp"
 #include "proof/truth.hpp"

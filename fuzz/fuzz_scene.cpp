@@ -3,10 +3,10 @@
 #include <cmath>
 #include <sstream>
 
-#include "base/budget.hpp"
 #include "io/terminal_text.hpp"
-#include "pair/validate_scene.hpp"
+#include "numeric/budget.hpp"
 #include "require.hpp"
+#include "scene/validate_scene.hpp"
 #include "taut/check.hpp"
 #include "taut/error.hpp"
 #include "taut/io.hpp"

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <vector>
 
-#include "base/budget.hpp"
-#include "base/errors.hpp"
 #include "examine.hpp"
 #include "motion/pieces.hpp"
-#include "pair/placement.hpp"
+#include "numeric/budget.hpp"
+#include "numeric/errors.hpp"
+#include "scene/placement.hpp"
 #include "support/audit.hpp"
 #include "support/tiling_run.hpp"
 #include "taut/error.hpp"

@@ -11,6 +11,15 @@ import sys
 from pathlib import Path
 
 
+# What the verifier derives by rules of its own: which pairs are tested, boxes around moving bodies, pieces of curves.
+own_rules = """
+    scene/instance.hpp scene/box_tree.hpp scene/changing_boxes.hpp scene/free_cells.hpp scene/meeting_boxes.hpp
+    scene/near_stretches.hpp scene/pairs_in_reach.hpp scene/swept_box.hpp
+    geometry/arc_frame.hpp geometry/band.hpp geometry/banded_part.hpp geometry/cell.hpp geometry/cell_proof.hpp
+    geometry/flat_part.hpp geometry/meeting_cells.hpp geometry/nesting.hpp geometry/piece.hpp geometry/wide.hpp
+""".split()
+
+
 def layers_of(cmake):
     """The layers that each one names, and the order in which they are listed."""
     uses = {}
@@ -57,11 +66,19 @@ def faults(project):
         for file in sources(project / "src" / layer):
             yield from of(file, reach(uses, layer))
     verifier = reach(uses, "proof") | reach(uses, "io")
-    for engine in ("tiling", "kinetic", "spacetime", "search", "check"):
+    for engine in ("tiling", "kinetic", "spacetime", "solver", "query"):
         if engine in verifier:
             yield f"CMakeLists.txt: the verifier's layers use {engine}"
     for file in sources(project / "apps" / "verify"):
         yield from of(file, verifier)
+    own = set(own_rules)
+    for name in sorted(own):
+        if not (project / "src" / name).exists():
+            yield f"tests/layers_test.py names {name}, which does not exist"
+    for folder in ("src/proof", "apps/verify"):
+        for file in sources(project / folder):
+            for header in sorted(own.intersection(includes(file))):
+                yield f"{file.relative_to(project)} includes {header}, which the verifier must not share"
 
 
 def main():

@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "base/budget.hpp"
 #include "io/json_text.hpp"
+#include "numeric/budget.hpp"
 #include "taut/ask.hpp"
 #include "taut/error.hpp"
 #include "taut/io.hpp"

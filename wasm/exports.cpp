@@ -5,12 +5,12 @@
 #include <memory>
 #include <string>
 
-#include "base/budget.hpp"
 #include "import/import.hpp"
 #include "io/json_text.hpp"
-#include "pair/curved_world.hpp"
-#include "pair/validate_scene.hpp"
+#include "numeric/budget.hpp"
 #include "recording.hpp"
+#include "scene/curved_world.hpp"
+#include "scene/validate_scene.hpp"
 #include "taut/ask.hpp"
 #include "taut/error.hpp"
 #include "taut/io.hpp"

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <utility>
 
-#include "base/budget.hpp"
-#include "check/curved_questions.hpp"
+#include "draw/world_shapes.hpp"
+#include "draw/world_tilings.hpp"
 #include "io/json_text.hpp"
-#include "io/world_shapes.hpp"
-#include "io/world_tilings.hpp"
+#include "numeric/budget.hpp"
+#include "query/curved_questions.hpp"
 #include "taut/io.hpp"
 #include "taut/pose.hpp"
 

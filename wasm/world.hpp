@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "io/world_shapes.hpp"
-#include "pair/curved_world.hpp"
+#include "draw/world_shapes.hpp"
+#include "scene/curved_world.hpp"
 #include "taut/check.hpp"
 #include "taut/scene.hpp"
 

@@ -7,13 +7,13 @@
 #include <set>
 #include <utility>
 
-#include "base/progress.hpp"
 #include "import/body_text.hpp"
 #include "import/dxf_entities.hpp"
 #include "import/dxf_hatch.hpp"
 #include "import/text_encoding.hpp"
 #include "io/number_text.hpp"
 #include "io/text_file.hpp"
+#include "numeric/progress.hpp"
 #include "taut/error.hpp"
 
 namespace taut::drawing {

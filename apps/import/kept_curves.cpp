@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "base/overloaded.hpp"
+#include "numeric/overloaded.hpp"
 
 namespace taut::drawing {
 using namespace internal;

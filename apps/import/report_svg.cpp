@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "draw/svg_canvas.hpp"
 #include "import/import.hpp"
-#include "io/svg_canvas.hpp"
 #include "taut/outline.hpp"
 
 namespace taut::drawing {

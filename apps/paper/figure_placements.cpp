@@ -8,9 +8,9 @@
 #include <stdexcept>
 
 #include "figure_tools.hpp"
-#include "pair/placement.hpp"
+#include "scene/placement.hpp"
+#include "session/world_simulation.hpp"
 #include "sheet.hpp"
-#include "simulation/world_simulation.hpp"
 #include "tree_picture.hpp"
 
 namespace taut::paper {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/svg_canvas.hpp"
+#include "draw/svg_canvas.hpp"
 
 namespace taut::paper {
 using namespace internal;

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <stdexcept>
 
-#include "io/svg_canvas.hpp"
+#include "draw/svg_canvas.hpp"
 
 namespace taut::paper {
 using namespace internal;

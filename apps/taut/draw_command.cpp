@@ -5,7 +5,7 @@
 
 #include "commands.hpp"
 #include "io/terminal_text.hpp"
-#include "pair/validate_scene.hpp"
+#include "scene/validate_scene.hpp"
 #include "taut/check.hpp"
 #include "taut/error.hpp"
 #include "taut/io.hpp"

@@ -4,8 +4,8 @@
 #include <memory>
 
 #include "commands.hpp"
-#include "pair/body_pair.hpp"
-#include "pair/curved_world.hpp"
+#include "scene/body_pair.hpp"
+#include "scene/curved_world.hpp"
 #include "scene_argument.hpp"
 #include "taut/error.hpp"
 #include "taut/validate.hpp"

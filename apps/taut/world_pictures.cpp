@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "pair/curved_world.hpp"
 #include "report.hpp"
+#include "scene/curved_world.hpp"
 #include "taut/motions.hpp"
 
 namespace taut::cli {

@@ -7,7 +7,7 @@
 #include <string>
 #include <thread>
 
-#include "base/progress.hpp"
+#include "numeric/progress.hpp"
 #include "taut/scene.hpp"
 
 namespace taut::cli {

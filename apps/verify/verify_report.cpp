@@ -5,12 +5,12 @@
 #include <fstream>
 #include <iostream>
 
-#include "base/budget.hpp"
 #include "coverage_text.hpp"
 #include "feature_text.hpp"
 #include "io/answer_json.hpp"
 #include "io/json_text.hpp"
 #include "io/regular_file.hpp"
+#include "numeric/budget.hpp"
 #include "progress.hpp"
 #include "taut/error.hpp"
 #include "taut/io.hpp"

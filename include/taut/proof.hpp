@@ -85,8 +85,8 @@ struct Verified {
 /// about. Of curves: that polygons lie around the bodies, and within, and what logs say of these; the features of a
 /// contact are then the segments near to it, which is not proved. Throws ProofError if the proof fails, InputError if
 /// the scene is not valid. A Verified result is a proof, as far as this function, the validation of scenes, and the
-/// arithmetic and the description of motion below src/sign and src/world can be trusted; src/curve (but for holes of a
-/// path that is read), src/tiling, src/kinetic, src/spacetime and src/search are not used.
+/// arithmetic and the description of motion in src/certificate and below can be trusted. src/tiling, src/kinetic,
+/// src/spacetime and src/solver are not used, nor are bands around curves, but for holes of a path that is read.
 Verified verify(const Scene& scene, std::istream& log);
 
 /// The SHA-256 digest of what a proof is about: the touch mode, and the exact numbers of time, polygons and motions.

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "attended.hpp"
-#include "base/budget.hpp"
 #include "bindings.hpp"
+#include "numeric/budget.hpp"
 #include "rings.hpp"
 #include "scene_text.hpp"
 #include "taut/outline.hpp"

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "attended.hpp"
-#include "base/budget.hpp"
 #include "bindings.hpp"
 #include "buffers.hpp"
 #include "check_rows.hpp"
+#include "numeric/budget.hpp"
 
 namespace py = pybind11;
 

@@ -13,11 +13,11 @@
 #include <vector>
 
 #include "attended.hpp"
-#include "base/budget.hpp"
 #include "bindings.hpp"
 #include "buffers.hpp"
 #include "each_row.hpp"
 #include "map_answer.hpp"
+#include "numeric/budget.hpp"
 #include "scene_text.hpp"
 #include "taut/motions.hpp"
 #include "taut/static_map.hpp"

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "attended.hpp"
-#include "base/budget.hpp"
 #include "bindings.hpp"
+#include "numeric/budget.hpp"
 #include "rings.hpp"
 #include "shape.hpp"
 

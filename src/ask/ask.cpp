@@ -8,12 +8,12 @@
 #include <sstream>
 #include <utility>
 
-#include "base/budget.hpp"
 #include "io/answer_json.hpp"
 #include "io/json_numbers.hpp"
 #include "io/json_object.hpp"
 #include "io/json_text.hpp"
 #include "io/number_text.hpp"
+#include "numeric/budget.hpp"
 #include "taut/clearance.hpp"
 #include "taut/error.hpp"
 #include "taut/intervals.hpp"

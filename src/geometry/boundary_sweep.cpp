@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "base/budget.hpp"
 #include "geometry/predicates.hpp"
+#include "numeric/budget.hpp"
 #include "taut/error.hpp"
 
 namespace taut::internal {

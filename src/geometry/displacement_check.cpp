@@ -28,8 +28,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/budget.hpp"
 #include "geometry/displaced_orientation.hpp"
+#include "numeric/budget.hpp"
 #include "numeric/exact_sum.hpp"
 
 namespace taut::internal {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <vector>
 
-#include "base/budget.hpp"
 #include "geometry/hull.hpp"
 #include "geometry/predicates.hpp"
+#include "numeric/budget.hpp"
 #include "taut/error.hpp"
 
 namespace taut::internal {

@@ -7,10 +7,10 @@
 #include <mutex>
 #include <vector>
 
-#include "base/budget.hpp"
 #include "geometry/displacement.hpp"
 #include "geometry/ids.hpp"
 #include "geometry/shape_facts.hpp"
+#include "numeric/budget.hpp"
 #include "taut/shape.hpp"
 
 namespace taut::internal {

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <utility>
 
-#include "base/budget.hpp"
-#include "base/errors.hpp"
 #include "geometry/box_list.hpp"
 #include "geometry/predicates.hpp"
+#include "numeric/budget.hpp"
 #include "numeric/dyadic.hpp"
+#include "numeric/errors.hpp"
 #include "numeric/exact_sum.hpp"
 
 namespace taut::internal {

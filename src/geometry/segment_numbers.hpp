@@ -3,7 +3,7 @@
 
 #include <initializer_list>
 
-#include "base/overloaded.hpp"
+#include "numeric/overloaded.hpp"
 #include "taut/outline.hpp"
 
 namespace taut::internal {

@@ -1,8 +1,8 @@
 // Outlines from the data of an SVG path.
-#include "base/overloaded.hpp"
-#include "curve/nesting.hpp"
+#include "geometry/nesting.hpp"
 #include "io/number_text.hpp"
 #include "io/path_data.hpp"
+#include "numeric/overloaded.hpp"
 #include "taut/error.hpp"
 #include "taut/outline.hpp"
 

@@ -1,7 +1,7 @@
 #include <limits>
 
-#include "base/overloaded.hpp"
 #include "io/json_text.hpp"
+#include "numeric/overloaded.hpp"
 #include "taut/io.hpp"
 #include "taut/shape.hpp"
 

@@ -1,8 +1,8 @@
 // Corner certificates.
 #pragma once
 
+#include "certificate/root.hpp"
 #include "geometry/ids.hpp"
-#include "sign/root.hpp"
 
 namespace taut::internal {
 

@@ -10,9 +10,9 @@
 #include <optional>
 #include <vector>
 
+#include "certificate/frame_range.hpp"
 #include "kinetic/certificate.hpp"
 #include "kinetic/event_queue.hpp"
-#include "sign/frame_range.hpp"
 
 namespace taut::internal {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "base/budget.hpp"
-#include "base/errors.hpp"
+#include "numeric/budget.hpp"
+#include "numeric/errors.hpp"
 
 namespace taut::internal {
 namespace {

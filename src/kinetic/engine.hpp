@@ -6,12 +6,12 @@
 #include <optional>
 #include <vector>
 
+#include "certificate/found_contact.hpp"
 #include "kinetic/dormant_certificates.hpp"
 #include "kinetic/event_queue.hpp"
 #include "kinetic/failure_solver.hpp"
 #include "kinetic/repair.hpp"
-#include "relative/motion_segments.hpp"
-#include "sign/found_contact.hpp"
+#include "motion/motion_segments.hpp"
 #include "tiling/prepared_tiling.hpp"
 
 namespace taut::internal {

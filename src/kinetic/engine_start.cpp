@@ -1,9 +1,9 @@
 // How an engine starts: a tiling, built or known, and the certificates of its corners.
 #include <algorithm>
 
-#include "base/budget.hpp"
 #include "kinetic/engine.hpp"
-#include "pair/placement.hpp"
+#include "numeric/budget.hpp"
+#include "scene/placement.hpp"
 
 namespace taut::internal {
 

@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "certificate/precise_time.hpp"
 #include "kinetic/certificate.hpp"
-#include "sign/precise_time.hpp"
 
 namespace taut::internal {
 

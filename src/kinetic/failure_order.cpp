@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/errors.hpp"
 #include "kinetic/failure_solver.hpp"
+#include "numeric/errors.hpp"
 #include "numeric/first_decisive.hpp"
-#include "pair/placement.hpp"
+#include "scene/placement.hpp"
 
 namespace taut::internal {
 

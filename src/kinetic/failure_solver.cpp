@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/errors.hpp"
-#include "sign/fast_line.hpp"
-#include "sign/search_from_end.hpp"
+#include "certificate/fast_line.hpp"
+#include "certificate/search_from_end.hpp"
+#include "numeric/errors.hpp"
 #include "tiling/root_faces.hpp"
 
 namespace taut::internal {

@@ -4,10 +4,10 @@
 #include <optional>
 #include <vector>
 
-#include "base/errors.hpp"
+#include "certificate/fast_roots.hpp"
+#include "certificate/instant.hpp"
 #include "kinetic/certificate.hpp"
-#include "sign/fast_roots.hpp"
-#include "sign/instant.hpp"
+#include "numeric/errors.hpp"
 
 namespace taut::internal {
 

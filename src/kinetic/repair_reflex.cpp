@@ -1,6 +1,6 @@
 // Repairs at a reflex corner that has straightened.
-#include "base/errors.hpp"
 #include "kinetic/repair.hpp"
+#include "numeric/errors.hpp"
 #include "tiling/root_faces.hpp"
 
 namespace taut::internal {

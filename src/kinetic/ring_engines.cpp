@@ -4,9 +4,9 @@
 #include <limits>
 #include <utility>
 
-#include "base/errors.hpp"
-#include "pair/placement.hpp"
-#include "sign/instant_order.hpp"
+#include "certificate/instant_order.hpp"
+#include "numeric/errors.hpp"
+#include "scene/placement.hpp"
 #include "tiling/shape_tiling.hpp"
 
 namespace taut::internal {

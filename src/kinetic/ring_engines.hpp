@@ -6,10 +6,10 @@
 #include <optional>
 #include <vector>
 
+#include "certificate/contact_bracket.hpp"
 #include "kinetic/engine.hpp"
-#include "pair/body_pair.hpp"
-#include "pair/ring_meetings.hpp"
-#include "sign/contact_bracket.hpp"
+#include "scene/body_pair.hpp"
+#include "scene/ring_meetings.hpp"
 
 namespace taut::internal {
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/budget.hpp"
+#include "numeric/budget.hpp"
 #include "numeric/jet.hpp"
 
 namespace taut::internal {

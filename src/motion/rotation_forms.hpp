@@ -5,7 +5,7 @@
 
 #include <utility>
 
-#include "base/overloaded.hpp"
+#include "numeric/overloaded.hpp"
 #include "taut/motion.hpp"
 
 namespace taut::internal {

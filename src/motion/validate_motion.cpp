@@ -3,10 +3,10 @@
 #include <sstream>
 #include <utility>
 
-#include "base/budget.hpp"
 #include "motion/pieces.hpp"
 #include "motion/polynomial_search.hpp"
 #include "motion/pose.hpp"
+#include "numeric/budget.hpp"
 #include "taut/error.hpp"
 
 namespace taut::internal {

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "base/errors.hpp"
+#include "numeric/errors.hpp"
 #include "numeric/root_isolation.hpp"
 #include "numeric/stages.hpp"
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "base/budget.hpp"
+#include "numeric/budget.hpp"
 #include "numeric/jet.hpp"
 #include "numeric/root_count.hpp"
 

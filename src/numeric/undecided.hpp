@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "base/budget.hpp"
-#include "base/errors.hpp"
+#include "numeric/budget.hpp"
+#include "numeric/errors.hpp"
 
 namespace taut::internal {
 

@@ -2,7 +2,7 @@
 
 #include <bit>
 
-#include "base/budget.hpp"
+#include "numeric/budget.hpp"
 #include "proof/kept_margin.hpp"
 #include "taut/error.hpp"
 

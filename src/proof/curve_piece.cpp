@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/overloaded.hpp"
 #include "geometry/predicates.hpp"
 #include "geometry/segment_numbers.hpp"
+#include "numeric/overloaded.hpp"
 #include "taut/error.hpp"
 
 namespace taut::internal::proof {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "geometry/predicates.hpp"
-#include "pair/validate_scene.hpp"
+#include "scene/validate_scene.hpp"
 #include "taut/error.hpp"
 #include "taut/proof.hpp"
 

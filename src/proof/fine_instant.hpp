@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "certificate/instant.hpp"
 #include "numeric/exact_sum.hpp"
-#include "sign/instant.hpp"
 
 namespace taut::internal::proof {
 

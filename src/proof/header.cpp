@@ -1,7 +1,7 @@
 #include "proof/header.hpp"
 
-#include "pair/validate_scene.hpp"
 #include "proof/curved_scene.hpp"
+#include "scene/validate_scene.hpp"
 
 namespace taut::internal::proof {
 

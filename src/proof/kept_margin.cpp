@@ -1,7 +1,7 @@
 #include "proof/kept_margin.hpp"
 
-#include "sign/margin_function.hpp"
-#include "sign/precise_root.hpp"
+#include "certificate/margin_function.hpp"
+#include "certificate/precise_root.hpp"
 
 namespace taut::internal::proof {
 namespace {

@@ -1,9 +1,9 @@
 // Features of two bodies that stay farther apart than a margin over a stretch of a segment.
 #pragma once
 
+#include "certificate/taylor_frames.hpp"
 #include "proof/fine_instant.hpp"
 #include "proof/separation.hpp"
-#include "sign/taylor_frames.hpp"
 
 namespace taut::internal::proof {
 

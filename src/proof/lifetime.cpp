@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/budget.hpp"
-#include "base/errors.hpp"
+#include "numeric/budget.hpp"
+#include "numeric/errors.hpp"
 #include "numeric/first_decisive.hpp"
 #include "numeric/quadratic_bound.hpp"
-#include "pair/placement.hpp"
 #include "proof/format.hpp"
+#include "scene/placement.hpp"
 #include "taut/proof.hpp"
 
 namespace taut::internal::proof {

@@ -1,10 +1,10 @@
 // When a corner fails, and that it keeps its sign until then.
 #pragma once
 
-#include "base/errors.hpp"
-#include "relative/taylor_model_cache.hpp"
-#include "sign/fast_function.hpp"
-#include "sign/instant.hpp"
+#include "certificate/fast_function.hpp"
+#include "certificate/instant.hpp"
+#include "motion/taylor_model_cache.hpp"
+#include "numeric/errors.hpp"
 
 namespace taut::internal::proof {
 

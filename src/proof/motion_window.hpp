@@ -2,8 +2,8 @@
 #pragma once
 
 #include "geometry/vector.hpp"
-#include "relative/frame_model.hpp"
-#include "relative/motion_segment.hpp"
+#include "motion/frame_model.hpp"
+#include "motion/motion_segment.hpp"
 
 namespace taut::internal::proof {
 

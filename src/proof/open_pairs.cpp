@@ -5,7 +5,7 @@
 #include <map>
 #include <numeric>
 
-#include "base/budget.hpp"
+#include "numeric/budget.hpp"
 
 namespace taut::internal::proof {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "base/budget.hpp"
+#include "numeric/budget.hpp"
 
 namespace taut::internal::proof {
 namespace {

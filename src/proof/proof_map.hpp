@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "pair/placement.hpp"
 #include "proof/bytes.hpp"
 #include "proof/format.hpp"
+#include "scene/placement.hpp"
 
 namespace taut::internal::proof {
 

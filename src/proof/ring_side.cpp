@@ -4,7 +4,7 @@
 #include <map>
 #include <utility>
 
-#include "base/budget.hpp"
+#include "numeric/budget.hpp"
 #include "proof/edge_slabs.hpp"
 #include "taut/proof.hpp"
 

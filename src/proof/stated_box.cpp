@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include "base/budget.hpp"
 #include "motion/pieces.hpp"
 #include "motion/pose.hpp"
+#include "numeric/budget.hpp"
 
 namespace taut::internal::proof {
 namespace {

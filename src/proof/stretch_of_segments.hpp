@@ -6,9 +6,9 @@
 #include <optional>
 #include <vector>
 
-#include "base/budget.hpp"
-#include "relative/motion_segments.hpp"
-#include "sign/frame_range.hpp"
+#include "certificate/frame_range.hpp"
+#include "motion/motion_segments.hpp"
+#include "numeric/budget.hpp"
 
 namespace taut::internal::proof {
 

@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "pair/body_pair.hpp"
-#include "pair/ignored_pairs.hpp"
-#include "relative/make_segments.hpp"
+#include "motion/make_segments.hpp"
+#include "scene/body_pair.hpp"
+#include "scene/ignored_pairs.hpp"
 #include "taut/coverage.hpp"
 
 namespace taut::internal::proof {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "base/budget.hpp"
-#include "pair/crossing_edges.hpp"
-#include "pair/placement.hpp"
+#include "numeric/budget.hpp"
+#include "scene/crossing_edges.hpp"
+#include "scene/placement.hpp"
 
 namespace taut::internal::proof {
 namespace {

@@ -7,10 +7,10 @@
 #include <utility>
 #include <vector>
 
-#include "pair/placement.hpp"
 #include "proof/apart_checker.hpp"
 #include "proof/stated_box.hpp"
 #include "proof/verifier_scene.hpp"
+#include "scene/placement.hpp"
 
 namespace taut::internal::proof {
 

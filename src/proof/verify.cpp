@@ -4,11 +4,13 @@
 #include <cstring>
 #include <string>
 
-#include "base/budget.hpp"
-#include "base/progress.hpp"
+#include "certificate/feature_map.hpp"
+#include "motion/make_segments.hpp"
+#include "motion/motion_segment.hpp"
 #include "motion/pieces.hpp"
+#include "numeric/budget.hpp"
+#include "numeric/progress.hpp"
 #include "numeric/undecided.hpp"
-#include "pair/validate_scene.hpp"
 #include "proof/curved_scene.hpp"
 #include "proof/header.hpp"
 #include "proof/lifetime.hpp"
@@ -17,9 +19,7 @@
 #include "proof/verifier_world.hpp"
 #include "proof/verify_curves.hpp"
 #include "proof/verify_separations.hpp"
-#include "relative/make_segments.hpp"
-#include "relative/motion_segment.hpp"
-#include "sign/feature_map.hpp"
+#include "scene/validate_scene.hpp"
 #include "taut/validate.hpp"
 
 namespace taut::internal::proof {

@@ -6,13 +6,13 @@
 #include <cmath>
 #include <string>
 
-#include "base/budget.hpp"
-#include "pair/placement.hpp"
-#include "pair/untested.hpp"
+#include "certificate/feature_map.hpp"
+#include "numeric/budget.hpp"
 #include "proof/kept_margin.hpp"
 #include "proof/open_pairs.hpp"
 #include "proof/verifier_world.hpp"
-#include "sign/feature_map.hpp"
+#include "scene/placement.hpp"
+#include "scene/untested.hpp"
 
 namespace taut::internal::proof {
 namespace {

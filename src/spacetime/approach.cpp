@@ -2,9 +2,9 @@
 
 #include <utility>
 
-#include "base/errors.hpp"
-#include "sign/margin_function.hpp"
-#include "sign/precise_root.hpp"
+#include "certificate/margin_function.hpp"
+#include "certificate/precise_root.hpp"
+#include "numeric/errors.hpp"
 
 namespace taut::internal::spacetime {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "sign/precise_time.hpp"
-#include "sign/taylor_frames.hpp"
+#include "certificate/precise_time.hpp"
+#include "certificate/taylor_frames.hpp"
 #include "spacetime/crossing.hpp"
 
 namespace taut::internal::spacetime {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/errors.hpp"
+#include "numeric/errors.hpp"
 #include "numeric/first_decisive.hpp"
-#include "pair/placement.hpp"
+#include "scene/placement.hpp"
 
 namespace taut::internal::spacetime {
 namespace {

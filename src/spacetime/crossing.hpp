@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "base/errors.hpp"
-#include "sign/precise_triple.hpp"
+#include "certificate/precise_triple.hpp"
+#include "numeric/errors.hpp"
 
 namespace taut::internal::spacetime {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "certificate/search_from_end.hpp"
 #include "numeric/undecided.hpp"
-#include "sign/search_from_end.hpp"
 
 namespace taut::internal::spacetime {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "base/budget.hpp"
+#include "numeric/budget.hpp"
 #include "spacetime/stretch.hpp"
 
 namespace taut::internal::spacetime {

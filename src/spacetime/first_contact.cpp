@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "numeric/undecided.hpp"
-#include "pair/placement.hpp"
+#include "scene/placement.hpp"
 #include "spacetime/flat_sides.hpp"
 #include "spacetime/leaf_test.hpp"
 #include "spacetime/quick_separation.hpp"

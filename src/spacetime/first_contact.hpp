@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "base/errors.hpp"
-#include "pair/pair_geometry.hpp"
-#include "relative/motion_segments.hpp"
-#include "sign/feature_map.hpp"
-#include "sign/precise_time.hpp"
+#include "certificate/feature_map.hpp"
+#include "certificate/precise_time.hpp"
+#include "motion/motion_segments.hpp"
+#include "numeric/errors.hpp"
+#include "scene/pair_geometry.hpp"
 #include "spacetime/hierarchy.hpp"
 
 namespace taut::internal::spacetime {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "base/budget.hpp"
+#include "numeric/budget.hpp"
 #include "numeric/exact_number.hpp"
 
 namespace taut::internal::spacetime {

@@ -1,7 +1,7 @@
 // A short window of a segment, with bounds of everything that moves in it.
 #pragma once
 
-#include "relative/frame_sample.hpp"
+#include "motion/frame_sample.hpp"
 
 namespace taut::internal::spacetime {
 

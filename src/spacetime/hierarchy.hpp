@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "pair/pair_geometry.hpp"
+#include "scene/pair_geometry.hpp"
 #include "spacetime/stretch.hpp"
 
 namespace taut::internal::spacetime {

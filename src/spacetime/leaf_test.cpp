@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/budget.hpp"
+#include "numeric/budget.hpp"
 #include "numeric/quadratic_bound.hpp"
 
 namespace taut::internal::spacetime {

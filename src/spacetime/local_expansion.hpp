@@ -1,7 +1,7 @@
 // The local behaviour of a certificate function within a window: first and second order bounds.
 #pragma once
 
-#include "sign/fast_function.hpp"
+#include "certificate/fast_function.hpp"
 #include "spacetime/frame_window.hpp"
 
 namespace taut::internal::spacetime {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <optional>
 
-#include "base/errors.hpp"
+#include "numeric/errors.hpp"
 #include "numeric/undecided.hpp"
 #include "spacetime/walk.hpp"
 

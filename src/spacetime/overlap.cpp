@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "base/budget.hpp"
-#include "pair/placement.hpp"
+#include "numeric/budget.hpp"
+#include "scene/placement.hpp"
 #include "spacetime/box_separation.hpp"
 #include "spacetime/first_contact.hpp"
 

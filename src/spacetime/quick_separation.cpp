@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "base/budget.hpp"
+#include "numeric/budget.hpp"
 #include "spacetime/walk.hpp"
 
 namespace taut::internal::spacetime {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "base/budget.hpp"
+#include "numeric/budget.hpp"
 #include "spacetime/margin.hpp"
 #include "spacetime/stretch.hpp"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "base/budget.hpp"
+#include "numeric/budget.hpp"
 #include "spacetime/box_separation.hpp"
 
 namespace taut::internal::spacetime {

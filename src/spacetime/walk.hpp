@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "base/budget.hpp"
+#include "numeric/budget.hpp"
 #include "spacetime/any_rotation.hpp"
 #include "spacetime/box_separation.hpp"
 

@@ -4,9 +4,9 @@
 #include <deque>
 #include <utility>
 
-#include "base/budget.hpp"
-#include "base/errors.hpp"
-#include "pair/placement.hpp"
+#include "numeric/budget.hpp"
+#include "numeric/errors.hpp"
+#include "scene/placement.hpp"
 
 namespace taut::internal {
 namespace {

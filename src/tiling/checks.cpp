@@ -4,7 +4,7 @@
 #include <map>
 #include <set>
 
-#include "pair/placement.hpp"
+#include "scene/placement.hpp"
 
 namespace taut::internal {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "base/budget.hpp"
+#include "numeric/budget.hpp"
 #include "tiling/sweep_status.hpp"
 
 namespace taut::internal {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "pair/placement.hpp"
+#include "scene/placement.hpp"
 
 namespace taut::internal {
 

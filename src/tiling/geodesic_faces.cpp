@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "base/budget.hpp"
+#include "numeric/budget.hpp"
 
 namespace taut::internal {
 namespace {

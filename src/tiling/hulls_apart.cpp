@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/budget.hpp"
-#include "pair/placement.hpp"
+#include "numeric/budget.hpp"
+#include "scene/placement.hpp"
 
 namespace taut::internal {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "geometry/displacement.hpp"
-#include "pair/placement.hpp"
+#include "scene/placement.hpp"
 #include "tiling/chain_tree.hpp"
 
 namespace taut::internal {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "base/budget.hpp"
+#include "numeric/budget.hpp"
 #include "tiling/geodesic_faces.hpp"
 #include "tiling/hulls_apart.hpp"
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "base/budget.hpp"
-#include "base/errors.hpp"
-#include "pair/placement.hpp"
+#include "numeric/budget.hpp"
+#include "numeric/errors.hpp"
+#include "scene/placement.hpp"
 #include "tiling/bridge.hpp"
 
 namespace taut::internal {

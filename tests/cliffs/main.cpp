@@ -14,10 +14,10 @@
 #include <string>
 #include <vector>
 
-#include "base/budget.hpp"
 #include "bench/stopwatch.hpp"
 #include "command_line/command_line.hpp"
 #include "generators/shapes.hpp"
+#include "numeric/budget.hpp"
 #include "soak/soak_scene.hpp"
 #include "support/prepared_scene.hpp"
 #include "taut/check.hpp"

@@ -9,10 +9,10 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "check/apart_writer.hpp"
 #include "log_text.hpp"
 #include "proof/header.hpp"
 #include "proof/verifier_world.hpp"
+#include "prove/apart_writer.hpp"
 #include "support/effort.hpp"
 #include "support/made_world.hpp"
 #include "support/rng.hpp"

@@ -10,14 +10,14 @@
 #include <map>
 #include <sstream>
 
-#include "check/apart_writer.hpp"
 #include "generators/generators.hpp"
 #include "log_text.hpp"
-#include "pair/validate_scene.hpp"
 #include "proof/bytes.hpp"
 #include "proof/format.hpp"
 #include "proof/header.hpp"
 #include "proof/verifier_world.hpp"
+#include "prove/apart_writer.hpp"
+#include "scene/validate_scene.hpp"
 #include "support/effort.hpp"
 #include "support/made_world.hpp"
 #include "support/random_scenes.hpp"

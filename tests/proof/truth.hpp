@@ -4,7 +4,7 @@
 #include <array>
 #include <string>
 
-#include "pair/curved_world.hpp"
+#include "scene/curved_world.hpp"
 #include "taut/proof.hpp"
 
 namespace taut::testing {

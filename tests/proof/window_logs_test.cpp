@@ -9,16 +9,16 @@
 #include <map>
 #include <sstream>
 
-#include "base/budget.hpp"
 #include "log_text.hpp"
+#include "numeric/budget.hpp"
 #include "proof/header.hpp"
 #include "proof/open_pairs.hpp"
 #include "proof/verifier_world.hpp"
+#include "scene/swept_box.hpp"
 #include "support/effort.hpp"
 #include "support/large_world.hpp"
 #include "support/rng.hpp"
 #include "taut/io.hpp"
-#include "world/swept_box.hpp"
 
 namespace taut::testing {
 using namespace internal;

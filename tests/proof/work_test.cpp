@@ -4,8 +4,8 @@
 #include <sstream>
 #include <string>
 
-#include "base/budget.hpp"
 #include "generators/generators.hpp"
+#include "numeric/budget.hpp"
 #include "taut/proof.hpp"
 
 namespace taut {

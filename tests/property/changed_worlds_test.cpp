@@ -3,10 +3,10 @@
 
 #include <iostream>
 
-#include "base/budget.hpp"
 #include "motion/pieces.hpp"
-#include "pair/validate_scene.hpp"
-#include "search/near_pairs.hpp"
+#include "numeric/budget.hpp"
+#include "scene/validate_scene.hpp"
+#include "solver/near_pairs.hpp"
 #include "support/effort.hpp"
 #include "support/large_world.hpp"
 #include "support/simulated_worlds.hpp"

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <utility>
 
-#include "base/budget.hpp"
-#include "check/run.hpp"
-#include "search/portfolio_solver.hpp"
+#include "numeric/budget.hpp"
 #include "soak/soak_scene.hpp"
+#include "solver/portfolio_solver.hpp"
+#include "solver/run.hpp"
 #include "support/effort.hpp"
 #include "support/made_world.hpp"
 #include "support/rng.hpp"

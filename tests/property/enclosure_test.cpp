@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "pair/body_pair.hpp"
+#include "scene/body_pair.hpp"
 #include "support/effort.hpp"
 #include "support/exact_motion.hpp"
 #include "support/exact_roots.hpp"

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "motion/pieces.hpp"
-#include "pair/placement.hpp"
+#include "scene/placement.hpp"
 #include "support/effort.hpp"
 #include "support/random_scenes.hpp"
 #include "support/tiling_run.hpp"

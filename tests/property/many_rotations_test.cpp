@@ -5,7 +5,7 @@
 #include <cmath>
 #include <functional>
 
-#include "base/budget.hpp"
+#include "numeric/budget.hpp"
 #include "support/effort.hpp"
 #include "support/random_polygons.hpp"
 #include "taut/check.hpp"

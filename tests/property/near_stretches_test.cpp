@@ -1,12 +1,12 @@
 // Stretches of time outside of which boxes are apart: nothing overlaps there, and intervals of overlap are those that a
 // walk through all of the time finds.
-#include "world/near_stretches.hpp"
+#include "scene/near_stretches.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "search/overlap_intervals.hpp"
+#include "solver/overlap_intervals.hpp"
 #include "support/effort.hpp"
 #include "support/small_world.hpp"
 

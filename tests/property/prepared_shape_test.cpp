@@ -6,13 +6,13 @@
 #include <sstream>
 #include <thread>
 
-#include "check/run.hpp"
 #include "generators/generators.hpp"
 #include "geometry/prepared_shape.hpp"
+#include "motion/make_segments.hpp"
+#include "motion/motion_segment.hpp"
 #include "motion/pieces.hpp"
-#include "pair/body_pair.hpp"
-#include "relative/make_segments.hpp"
-#include "relative/motion_segment.hpp"
+#include "scene/body_pair.hpp"
+#include "solver/run.hpp"
 #include "support/effort.hpp"
 #include "support/made_world.hpp"
 #include "support/prepared_scene.hpp"

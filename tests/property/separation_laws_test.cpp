@@ -5,17 +5,17 @@
 
 #include <cmath>
 
+#include "certificate/precise_triple.hpp"
 #include "proof/edge_ranges.hpp"
 #include "proof/motion_window.hpp"
 #include "proof/separation.hpp"
 #include "proof/stated_box.hpp"
-#include "sign/precise_triple.hpp"
+#include "scene/instance.hpp"
+#include "scene/swept_box.hpp"
 #include "support/effort.hpp"
 #include "support/made_world.hpp"
 #include "support/random_scenes.hpp"
 #include "support/rng.hpp"
-#include "world/instance.hpp"
-#include "world/swept_box.hpp"
 
 namespace taut::testing {
 using namespace internal;

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <filesystem>
 
+#include "motion/make_segments.hpp"
+#include "motion/motion_segment.hpp"
 #include "motion/pieces.hpp"
-#include "relative/make_segments.hpp"
-#include "relative/motion_segment.hpp"
 #include "spacetime/first_contact.hpp"
 #include "support/effort.hpp"
 #include "support/random_scenes.hpp"

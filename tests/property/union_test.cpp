@@ -8,7 +8,7 @@
 
 #include "geometry/predicates.hpp"
 #include "geometry/ring_union.hpp"
-#include "pair/fitted_scene.hpp"
+#include "scene/fitted_scene.hpp"
 #include "support/effort.hpp"
 #include "support/small_world.hpp"
 #include "support/world_changes.hpp"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/budget.hpp"
+#include "numeric/budget.hpp"
 #include "soak/soak_scene.hpp"
 #include "support/effort.hpp"
 #include "taut/clearance.hpp"

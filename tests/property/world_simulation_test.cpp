@@ -4,7 +4,7 @@
 #include <iostream>
 
 #include "generators/generators.hpp"
-#include "simulation/world_simulation.hpp"
+#include "session/world_simulation.hpp"
 #include "support/cavity_scenes.hpp"
 #include "support/effort.hpp"
 #include "support/made_world.hpp"

@@ -12,9 +12,9 @@
 #include <sstream>
 #include <thread>
 
-#include "check/proof_writer.hpp"
 #include "command_line/command_line.hpp"
 #include "curve_examination.hpp"
+#include "prove/proof_writer.hpp"
 #include "question_examination.hpp"
 #include "question_times.hpp"
 #include "soak_scene.hpp"

@@ -7,7 +7,8 @@
 #include <sstream>
 
 #include "motion/pieces.hpp"
-#include "pair/validate_scene.hpp"
+#include "scene/instance.hpp"
+#include "scene/validate_scene.hpp"
 #include "support/consistency.hpp"
 #include "support/every_pair.hpp"
 #include "support/world_changes.hpp"
@@ -19,7 +20,6 @@
 #include "taut/proof.hpp"
 #include "taut/simulation.hpp"
 #include "taut/static_map.hpp"
-#include "world/instance.hpp"
 
 namespace taut::testing {
 using namespace internal;

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "base/errors.hpp"
-#include "pair/placement.hpp"
+#include "numeric/errors.hpp"
+#include "scene/placement.hpp"
 #include "tiling/checks.hpp"
 #include "tiling/prepared_tiling.hpp"
 

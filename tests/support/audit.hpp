@@ -7,9 +7,9 @@
 #include <string>
 
 #include "kinetic/ring_engines.hpp"
+#include "scene/instance.hpp"
 #include "support/tiling_run.hpp"
 #include "taut/scene.hpp"
-#include "world/instance.hpp"
 
 namespace taut::testing {
 using namespace internal;

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "geometry/hull.hpp"
-#include "pair/validate_scene.hpp"
+#include "scene/validate_scene.hpp"
 #include "taut/error.hpp"
 
 namespace taut::testing {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "world/instance.hpp"
+#include "scene/instance.hpp"
 
 namespace taut::testing {
 using namespace internal;

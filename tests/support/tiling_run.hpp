@@ -1,7 +1,7 @@
 // A simulation of two polygons in the terms of its engine.
 #pragma once
 
-#include "simulation/world_simulation.hpp"
+#include "session/world_simulation.hpp"
 
 namespace taut::testing {
 

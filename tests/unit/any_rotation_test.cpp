@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "relative/motion_segment.hpp"
+#include "motion/motion_segment.hpp"
 #include "spacetime/any_rotation.hpp"
 #include "support/effort.hpp"
 #include "support/rng.hpp"

@@ -1,5 +1,5 @@
 // Which boxes meet, against all pairs; and what is of one group costs nothing.
-#include "world/box_tree.hpp"
+#include "scene/box_tree.hpp"
 
 #include <gtest/gtest.h>
 

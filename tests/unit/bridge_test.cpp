@@ -10,11 +10,11 @@
 #include <set>
 #include <vector>
 
-#include "base/budget.hpp"
 #include "generators/generators.hpp"
-#include "pair/body_pair.hpp"
-#include "pair/placement.hpp"
-#include "relative/make_segments.hpp"
+#include "motion/make_segments.hpp"
+#include "numeric/budget.hpp"
+#include "scene/body_pair.hpp"
+#include "scene/placement.hpp"
 #include "support/effort.hpp"
 #include "support/random_scenes.hpp"
 #include "support/tight_mouth.hpp"

@@ -6,9 +6,9 @@
 #include <functional>
 #include <sstream>
 
-#include "base/budget.hpp"
-#include "check/run.hpp"
 #include "generators/generators.hpp"
+#include "numeric/budget.hpp"
+#include "solver/run.hpp"
 #include "support/effort.hpp"
 #include "support/tiling_run.hpp"
 #include "taut/check.hpp"

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <utility>
 
+#include "certificate/fast_function.hpp"
+#include "certificate/frame_range.hpp"
+#include "certificate/margin_function.hpp"
+#include "certificate/precise_function.hpp"
 #include "geometry/displacement.hpp"
-#include "pair/placement.hpp"
-#include "relative/taylor_model_cache.hpp"
-#include "sign/fast_function.hpp"
-#include "sign/frame_range.hpp"
-#include "sign/margin_function.hpp"
-#include "sign/precise_function.hpp"
+#include "motion/taylor_model_cache.hpp"
+#include "scene/placement.hpp"
 #include "support/rng.hpp"
 #include "taut/check.hpp"
 #include "unit/sliding_square.hpp"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <iostream>
 
-#include "base/budget.hpp"
+#include "numeric/budget.hpp"
 #include "support/rng.hpp"
 #include "taut/check.hpp"
 #include "taut/clearance.hpp"

@@ -4,7 +4,7 @@
 #include <atomic>
 
 #include "generators/generators.hpp"
-#include "search/portfolio_solver.hpp"
+#include "solver/portfolio_solver.hpp"
 #include "taut/check.hpp"
 
 namespace taut {

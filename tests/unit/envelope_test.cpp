@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "envelope/pose_model.hpp"
+#include "query/pose_model.hpp"
 #include "support/effort.hpp"
 #include "support/made_world.hpp"
 #include "support/rng.hpp"

@@ -5,7 +5,7 @@
 #include <sstream>
 #include <string>
 
-#include "pair/fitted_scene.hpp"
+#include "scene/fitted_scene.hpp"
 #include "support/effort.hpp"
 #include "support/made_world.hpp"
 #include "taut/check.hpp"

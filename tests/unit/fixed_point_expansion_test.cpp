@@ -1,14 +1,14 @@
 // Forms about an instant, in numbers of a fixed length: against the same functions in 960 bits.
-#include "sign/fixed_point_expansion.hpp"
+#include "certificate/fixed_point_expansion.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "certificate/precise_triple.hpp"
+#include "motion/make_segments.hpp"
 #include "motion/pieces.hpp"
-#include "pair/body_pair.hpp"
-#include "relative/make_segments.hpp"
-#include "sign/precise_triple.hpp"
+#include "scene/body_pair.hpp"
 #include "support/effort.hpp"
 #include "support/random_scenes.hpp"
 #include "support/tiling_run.hpp"

@@ -3,8 +3,8 @@
 
 #include <regex>
 
+#include "draw/svg_plot.hpp"
 #include "io/number_text.hpp"
-#include "io/svg_plot.hpp"
 #include "taut/io.hpp"
 
 namespace taut {

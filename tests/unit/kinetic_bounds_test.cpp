@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include "motion/taylor_model_cache.hpp"
 #include "numeric/quadratic_bound.hpp"
 #include "numeric/real.hpp"
-#include "relative/taylor_model_cache.hpp"
 #include "support/random_scenes.hpp"
 #include "support/rng.hpp"
 

@@ -1,11 +1,11 @@
 // Triples of vertices on straight ways.
 #pragma once
 
+#include "certificate/precise_function.hpp"
+#include "motion/make_segments.hpp"
+#include "motion/motion_segment.hpp"
 #include "motion/pieces.hpp"
-#include "pair/body_pair.hpp"
-#include "relative/make_segments.hpp"
-#include "relative/motion_segment.hpp"
-#include "sign/precise_function.hpp"
+#include "scene/body_pair.hpp"
 #include "support/random_scenes.hpp"
 
 namespace taut::testing {

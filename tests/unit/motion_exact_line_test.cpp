@@ -1,12 +1,12 @@
 // Lines in time, exactly: against the same functions in 960 bits.
-#include "sign/exact_line.hpp"
+#include "certificate/exact_line.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "certificate/precise_triple.hpp"
 #include "line_setting.hpp"
-#include "sign/precise_triple.hpp"
 
 namespace taut::testing {
 using namespace internal;

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <sstream>
 
-#include "base/budget.hpp"
 #include "motion/far_pieces.hpp"
 #include "motion/local_time.hpp"
-#include "relative/motion_segment.hpp"
+#include "motion/motion_segment.hpp"
+#include "numeric/budget.hpp"
 #include "support/moved_in_time.hpp"
 #include "support/rng.hpp"
 #include "taut/check.hpp"

@@ -1,10 +1,10 @@
 // Lines in time, in doubles: their bounds hold for the same functions in 960 bits.
-#include "sign/fast_line.hpp"
+#include "certificate/fast_line.hpp"
 
 #include <gtest/gtest.h>
 
 #include "line_setting.hpp"
-#include "relative/taylor_model_cache.hpp"
+#include "motion/taylor_model_cache.hpp"
 
 namespace taut::testing {
 using namespace internal;

@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "motion/motion_segment.hpp"
 #include "numeric/trig.hpp"
-#include "relative/motion_segment.hpp"
 #include "support/effort.hpp"
 #include "support/exact_motion.hpp"
 #include "support/exact_roots.hpp"

@@ -1,9 +1,9 @@
 // Functions that vanish at all times through identities between the motions.
 #include <gtest/gtest.h>
 
-#include "relative/frame_identities.hpp"
-#include "sign/precise_function.hpp"
-#include "sign/vanishing.hpp"
+#include "certificate/precise_function.hpp"
+#include "certificate/vanishing.hpp"
+#include "motion/frame_identities.hpp"
 #include "support/effort.hpp"
 #include "support/rng.hpp"
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "motion/far_pieces.hpp"
+#include "motion/make_segments.hpp"
 #include "motion/pieces.hpp"
-#include "relative/make_segments.hpp"
 #include "support/effort.hpp"
 #include "support/rng.hpp"
 

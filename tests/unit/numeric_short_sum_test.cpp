@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include "sign/precise_time.hpp"
+#include "certificate/precise_time.hpp"
 #include "support/effort.hpp"
 #include "support/rng.hpp"
 

@@ -1,5 +1,5 @@
 // Roots told from roots, against the same functions in 960 bits: they change their sign within the enclosure.
-#include "sign/relative_root.hpp"
+#include "certificate/relative_root.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "pair/body_pair.hpp"
-#include "relative/make_segments.hpp"
-#include "sign/precise_triple.hpp"
+#include "certificate/precise_triple.hpp"
+#include "motion/make_segments.hpp"
+#include "scene/body_pair.hpp"
 #include "taut/io.hpp"
 
 namespace taut::testing {

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <string>
 
-#include "base/budget.hpp"
-#include "pair/body_pair.hpp"
-#include "relative/make_segments.hpp"
-#include "sign/search_from_end.hpp"
+#include "certificate/search_from_end.hpp"
+#include "motion/make_segments.hpp"
+#include "numeric/budget.hpp"
+#include "scene/body_pair.hpp"
 #include "spacetime/crossings_near_end.hpp"
 #include "taut/intervals.hpp"
 #include "taut/io.hpp"

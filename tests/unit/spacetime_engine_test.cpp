@@ -5,11 +5,11 @@
 #include <cmath>
 #include <utility>
 
+#include "certificate/precise_function.hpp"
+#include "motion/make_segments.hpp"
+#include "motion/motion_segment.hpp"
 #include "motion/pieces.hpp"
-#include "pair/placement.hpp"
-#include "relative/make_segments.hpp"
-#include "relative/motion_segment.hpp"
-#include "sign/precise_function.hpp"
+#include "scene/placement.hpp"
 #include "spacetime/box_separation.hpp"
 #include "spacetime/first_contact.hpp"
 #include "spacetime/local_expansion.hpp"

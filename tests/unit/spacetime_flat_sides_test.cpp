@@ -1,7 +1,7 @@
 // Bodies that slide along each other, by the spacetime engine: right, and without a look at all pairs of edges.
 #include <gtest/gtest.h>
 
-#include "base/budget.hpp"
+#include "numeric/budget.hpp"
 #include "taut/check.hpp"
 
 namespace taut::testing {

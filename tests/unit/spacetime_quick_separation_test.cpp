@@ -6,8 +6,8 @@
 #include <cmath>
 #include <string>
 
-#include "pair/body_pair.hpp"
-#include "relative/make_segments.hpp"
+#include "motion/make_segments.hpp"
+#include "scene/body_pair.hpp"
 #include "spacetime/first_contact.hpp"
 #include "support/effort.hpp"
 #include "support/rng.hpp"

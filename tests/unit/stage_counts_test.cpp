@@ -1,9 +1,9 @@
 // Which stages tell what: counted by the same struct in both engines.
 #include <gtest/gtest.h>
 
+#include "certificate/precise_triple.hpp"
 #include "numeric/stages.hpp"
-#include "pair/body_pair.hpp"
-#include "sign/precise_triple.hpp"
+#include "scene/body_pair.hpp"
 #include "support/tiling_run.hpp"
 #include "taut/check.hpp"
 #include "taut/io.hpp"

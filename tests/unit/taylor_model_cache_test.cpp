@@ -1,12 +1,12 @@
 // What a segment's clock keeps: a pair of bodies with many parts has hundreds of clocks.
-#include "relative/taylor_model_cache.hpp"
+#include "motion/taylor_model_cache.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <thread>
 
-#include "relative/make_segments.hpp"
+#include "motion/make_segments.hpp"
 
 namespace taut::testing {
 using namespace internal;

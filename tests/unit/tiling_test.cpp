@@ -8,7 +8,7 @@
 #include <set>
 
 #include "geometry/displacement.hpp"
-#include "pair/placement.hpp"
+#include "scene/placement.hpp"
 #include "support/rng.hpp"
 #include "tiling/checks.hpp"
 #include "tiling/shape_tiling.hpp"

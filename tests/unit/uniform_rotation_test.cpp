@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/budget.hpp"
+#include "motion/taylor_model_cache.hpp"
+#include "motion/uniform_rotation.hpp"
+#include "numeric/budget.hpp"
 #include "numeric/trig.hpp"
-#include "relative/taylor_model_cache.hpp"
-#include "relative/uniform_rotation.hpp"
 #include "support/effort.hpp"
 #include "support/rng.hpp"
 #include "taut/check.hpp"

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <string>
 
-#include "base/budget.hpp"
-#include "search/pair_instance.hpp"
+#include "numeric/budget.hpp"
+#include "solver/pair_instance.hpp"
 #include "spacetime/clearance.hpp"
 #include "taut/clearance.hpp"
 #include "taut/io.hpp"

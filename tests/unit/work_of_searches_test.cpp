@@ -6,8 +6,8 @@
 #include <sstream>
 #include <string>
 
-#include "base/budget.hpp"
-#include "search/portfolio_solver.hpp"
+#include "numeric/budget.hpp"
+#include "solver/portfolio_solver.hpp"
 #include "taut/check.hpp"
 #include "taut/io.hpp"
 #include "taut/proof.hpp"

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "generators/generators.hpp"
-#include "search/portfolio_solver.hpp"
+#include "solver/portfolio_solver.hpp"
 #include "taut/check.hpp"
 #include "taut/error.hpp"
 #include "taut/io.hpp"

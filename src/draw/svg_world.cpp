@@ -1,0 +1,94 @@
+// A picture of any number of bodies at one instant.
+#include <fmt/format.h>
+
+#include "draw/svg_world_legend.hpp"
+#include "draw/world_marks.hpp"
+#include "draw/world_tilings.hpp"
+#include "io/number_text.hpp"
+#include "taut/io.hpp"
+
+namespace taut {
+using namespace internal;
+
+namespace {
+
+class WorldPicture {
+ public:
+  WorldPicture(const Scene& scene, double t, const WorldDrawOptions& options)
+      : scene_(scene),
+        t_(t),
+        options_(options),
+        shapes_(scene),
+        poses_(poses_at(scene, t)),
+        legend_(scene, options.width),
+        canvas_(all_points(), options.width, io::title_height, options.legend ? legend_.height() : 0) {}
+
+  std::string draw() const {
+    const std::string title = options_.title.empty() ? fmt::format("{}, t = {}", io::world_title(scene_),
+                                                                   io::instant_text(t_, scene_.start, scene_.end, 10))
+                                                     : options_.title;
+    std::string out = io::world_head(canvas_, title);
+    // Below the bodies: lines lie between those of their pair.
+    const std::vector<NearEdge> lines = io::tiling_lines(shapes_, poses_, options_.tilings);
+    for (const bool pq : {false, true}) {
+      const std::string path = io::tiling_path(shapes_, poses_, lines, pq, canvas_);
+      if (!path.empty()) out += io::tiling_element(path, pq);
+    }
+    for (const std::size_t body : shapes_.painting_order()) out += draw_body(body);
+    for (const std::size_t body : shapes_.painting_order()) out += draw_number(body);
+    out += io::world_marks(scene_, shapes_, poses_, canvas_, options_);
+    if (options_.legend) out += legend_.draw(canvas_.height() - legend_.height());
+    return out + "</svg>\n";
+  }
+
+ private:
+  std::vector<Point> all_points() const {
+    std::vector<Point> points;
+    for (std::size_t b = 0; b < shapes_.size(); ++b) {
+      for (const std::vector<Polygon>& part : shapes_.parts(b)) {
+        for (const Point& p : part[0]) points.push_back(io::placed(poses_[b], p));
+      }
+    }
+    for (const Contact& contact : options_.contacts) points.push_back(contact.point);
+    return points;
+  }
+
+  std::string draw_body(std::size_t body) const {
+    const auto pixel = [&](const Point& p) { return canvas_.pixel(io::placed(poses_[body], p)); };
+    return io::body_shape(shapes_, body, pixel) + "\n";
+  }
+
+  std::string draw_number(std::size_t body) const {
+    const io::InnerPoint& inner = shapes_.inner(body);
+    if (!options_.legend || !io::has_room(inner, canvas_.scale(), body)) return "";
+    const Point p = canvas_.pixel(io::placed(poses_[body], inner.at));
+    return fmt::format("<g transform=\"translate({})\">{}</g>\n", io::pixel_text(p), io::number_mark(body));
+  }
+
+  const Scene& scene_;
+  double t_;
+  const WorldDrawOptions& options_;
+  io::WorldShapes shapes_;
+  std::vector<BodyPose> poses_;
+  io::WorldLegend legend_;
+  io::SvgCanvas canvas_;
+};
+
+}  // namespace
+
+WorldDrawOptions marked(const Answer& answer, WorldDrawOptions options) {
+  if (answer.contact) options.contacts.push_back(*answer.contact);
+  if (answer.outcome == Outcome::overlap_at_start)
+    options.overlaps.push_back(answer.pair.value_or(std::array<BodyId, 2>{0, 1}));
+  for (const PairAnswer& pair : answer.also) {
+    if (pair.contact) options.contacts.push_back(*pair.contact);
+    if (pair.outcome == Outcome::overlap_at_start) options.overlaps.push_back(pair.bodies);
+  }
+  return options;
+}
+
+std::string draw_world_svg(const Scene& scene, double t, const WorldDrawOptions& options) {
+  return WorldPicture(scene, t, options).draw();
+}
+
+}  // namespace taut

@@ -1,0 +1,57 @@
+// What is marked in the picture of a world: contacts and overlaps, with the pair named.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "draw/curve_path.hpp"
+#include "draw/svg_canvas.hpp"
+#include "draw/world_shapes.hpp"
+#include "taut/io.hpp"
+
+namespace taut::internal::io {
+
+/// The opening tag and the title. A picture that moves pauses when it is clicked, and rests for those who prefer that.
+std::string world_head(const SvgCanvas& canvas, const std::string& title, bool moving = false);
+/// Lines get thinner as the picture gets crowded.
+double world_outline_width(const WorldShapes& shapes);
+
+/// The rings of a part as the data of one path, for the rule evenodd; `pixel` places a point of the body.
+template <class Pixel>
+std::string rings_path(const std::vector<Polygon>& rings, const Pixel& pixel) {
+  std::string path;
+  for (const Polygon& ring : rings) {
+    std::vector<Point> pixels;
+    pixels.reserve(ring.size());
+    for (const Point& p : ring) pixels.push_back(pixel(p));
+    path += outline_path(pixels);
+  }
+  return path;
+}
+
+/// A body of these parts, each the data of a path. What of a part's line lies inside another part is not seen.
+std::string body_shape(const std::vector<std::string>& parts, std::size_t body, double line_width);
+/// The same for the parts of `shapes`.
+template <class Pixel>
+std::string body_shape(const WorldShapes& shapes, std::size_t body, const Pixel& pixel) {
+  std::vector<std::string> parts;
+  for (const CurvedPart& part : shapes.curves(body)) parts.push_back(curve_path(part, pixel));
+  if (parts.empty()) {
+    for (const std::vector<Polygon>& rings : shapes.parts(body)) parts.push_back(rings_path(rings, pixel));
+  }
+  return body_shape(parts, body, world_outline_width(shapes));
+}
+
+/// All marks of `options`, where the bodies are at `poses`.
+std::string world_marks(const Scene& scene, const WorldShapes& shapes, const std::vector<BodyPose>& poses,
+                        const SvgCanvas& canvas, const WorldDrawOptions& options);
+
+/// The names of a few bodies, or how many there are.
+std::string world_title(const Scene& scene);
+
+/// Is there room for a number in the body, at this many pixels a unit?
+bool has_room(const InnerPoint& inner, double scale, std::size_t body);
+/// The number that a body has in the legend, centred at the origin.
+std::string number_mark(std::size_t body);
+
+}  // namespace taut::internal::io

@@ -1,0 +1,137 @@
+#include "draw/world_shapes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "draw/curve_path.hpp"
+#include "io/text_file.hpp"
+#include "scene/ring_set.hpp"
+
+namespace taut::internal::io {
+
+namespace {
+
+constexpr BodyLook looks[body_looks] = {
+    {"#2a6f9e", "#032e4b", "#fff"}, {"#e59345", "#683e15", "#000"}, {"#0f7d74", "#00423c", "#fff"},
+    {"#f0d762", "#675b1e", "#000"}, {"#683b6a", "#341c35", "#fff"}, {"#7abee4", "#2e5366", "#000"},
+    {"#966042", "#472b1b", "#fff"}, {"#f5accc", "#6d4758", "#000"}, {"#1e4070", "#0f203a", "#fff"},
+    {"#6ca45a", "#2c4923", "#000"}, {"#838a8f", "#3a3d40", "#000"}, {"#daeaa8", "#5b6342", "#000"}};
+
+/// Lines on which an inner point is looked for, in each direction, in tenths of the way; the middle first.
+constexpr int scan_lines[] = {5, 4, 6, 3, 7, 2, 8, 1, 9};
+/// What lies nearer to the middle is given up for so much more room only.
+constexpr double worth_it = 1.1;
+/// Bodies with more vertices are not searched: a number is not worth the time.
+constexpr std::size_t largest_searched = 20000;
+
+struct Box {
+  Point lo{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  Point hi{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+};
+
+void grow(Box& box, const Polygon& ring) {
+  for (const Point& p : ring) {
+    box.lo = {std::min(box.lo.x, p.x), std::min(box.lo.y, p.y)};
+    box.hi = {std::max(box.hi.x, p.x), std::max(box.hi.y, p.y)};
+  }
+}
+
+double distance(const Point& p, const Point& a, const Point& b) {
+  const double ex = b.x - a.x, ey = b.y - a.y, square = ex * ex + ey * ey;
+  const double share = square > 0 ? std::clamp(((p.x - a.x) * ex + (p.y - a.y) * ey) / square, 0.0, 1.0) : 0;
+  return std::hypot(a.x + share * ex - p.x, a.y + share * ey - p.y);
+}
+
+template <class Visit>
+void each_edge(const std::vector<Polygon>& rings, const Visit& visit) {
+  for (const Polygon& ring : rings) {
+    for (std::size_t i = 0; i < ring.size(); ++i) visit(ring[i], ring[(i + 1) % ring.size()]);
+  }
+}
+
+/// The middles of the stretches of a line that lie inside: across x = c (or y = c), where it meets the rings.
+std::vector<Point> middles(const std::vector<Polygon>& rings, double c, bool upright) {
+  std::vector<double> at;
+  each_edge(rings, [&](Point a, Point b) {
+    if (upright) a = {a.y, a.x}, b = {b.y, b.x};
+    if ((a.y > c) != (b.y > c)) at.push_back(a.x + (c - a.y) / (b.y - a.y) * (b.x - a.x));
+  });
+  std::sort(at.begin(), at.end());
+  std::vector<Point> out;
+  for (std::size_t i = 0; i + 1 < at.size(); i += 2) {
+    const double middle = (at[i] + at[i + 1]) / 2;
+    out.push_back(upright ? Point{c, middle} : Point{middle, c});
+  }
+  return out;
+}
+
+/// Of one part: the best of the middles of some lines across it.
+InnerPoint inner_point(const std::vector<Polygon>& part) {
+  Box box;
+  grow(box, part[0]);
+  InnerPoint best;
+  for (const int tenths : scan_lines) {
+    for (const bool upright : {false, true}) {
+      const double lo = upright ? box.lo.x : box.lo.y, hi = upright ? box.hi.x : box.hi.y;
+      for (const Point& p : middles(part, lo + (hi - lo) * tenths / 10, upright)) {
+        double room = std::numeric_limits<double>::infinity();
+        each_edge(part, [&](const Point& a, const Point& b) { room = std::min(room, distance(p, a, b)); });
+        if (room > worth_it * best.room) best = {p, room, 0};
+      }
+    }
+  }
+  return best;
+}
+
+/// Of each part: its outline, then its holes.
+std::vector<std::vector<Polygon>> rings_of(const Body& body) {
+  std::vector<std::vector<Polygon>> all;
+  for (const CurvedPart& part : body.curves) all.push_back(sketched(part));
+  if (!body.curves.empty()) return all;
+  for (const Part& part : parts_of(body)) {
+    all.push_back({part.outline});
+    all.back().insert(all.back().end(), part.holes.begin(), part.holes.end());
+  }
+  return all;
+}
+
+}  // namespace
+
+BodyLook body_look(std::size_t body) { return looks[body % body_looks]; }
+
+WorldShapes::WorldShapes(const Scene& scene) : order_(scene.bodies.size()) {
+  for (const Body& body : scene.bodies) {
+    Shape shape;
+    Box box;
+    shape.curves = body.curves;
+    for (std::vector<Polygon>& rings : rings_of(body)) {
+      std::size_t count = 0;
+      for (const Polygon& ring : rings) count += ring.size();
+      vertices_ += count;
+      InnerPoint inner = count <= largest_searched ? inner_point(rings) : InnerPoint{};
+      inner.part = shape.parts.size();
+      if (inner.room > shape.inner.room) shape.inner = inner;
+      grow(box, rings[0]);
+      shape.parts.push_back(std::move(rings));
+    }
+    shape.middle = {box.lo.x / 2 + box.hi.x / 2, box.lo.y / 2 + box.hi.y / 2};
+    shape.extent = std::hypot(box.hi.x - box.lo.x, box.hi.y - box.lo.y);
+    bodies_.push_back(std::move(shape));
+  }
+  std::iota(order_.begin(), order_.end(), std::size_t{0});
+  std::stable_sort(order_.begin(), order_.end(),
+                   [this](std::size_t a, std::size_t b) { return bodies_[a].extent > bodies_[b].extent; });
+}
+
+Point placed(const BodyPose& pose, const Point& p) {
+  return {pose.origin.x + pose.axis.x * p.x - pose.axis.y * p.y, pose.origin.y + pose.axis.y * p.x + pose.axis.x * p.y};
+}
+
+std::string pair_text(const Scene& scene, BodyId a, BodyId b) {
+  const auto name = [&](BodyId id) { return excerpt(scene.bodies[static_cast<std::size_t>(id)].name, 30); };
+  return name(std::min(a, b)) + " x " + name(std::max(a, b));
+}
+
+}  // namespace taut::internal::io

@@ -1,0 +1,51 @@
+// A closed curve in a band of cells, finer wherever somebody asks for it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "geometry/cell.hpp"
+
+namespace taut::internal::curve {
+
+/// Where a vertex of a wall, or the edge from it on, comes from.
+struct Source {
+  int cell = 0;
+  double parameter = 0;  ///< of the cell's segment
+};
+
+/// One ring: cells in the order of the outline's segments, gate k before cell k. Splitting keeps cells within cells, so
+/// that the polygons of a finer band lie between those of a coarser one, and what did not meet never does.
+class Band {
+ public:
+  /// Throws InputError, `name` as its place, where a segment runs back into itself, or there is nothing to enclose.
+  Band(const Outline& outline, const std::string& name);
+
+  const std::vector<Cell>& cells() const { return cells_; }
+  const Gate& gate(std::size_t k) const { return gates_[k % gates_.size()]; }
+  const Resolution& resolution() const { return resolution_; }
+  std::vector<Point> corners(std::size_t cell) const;
+
+  /// Halves cell k `halvings[k]` times, as far as doubles allow. True if anything has become finer.
+  bool refine(const std::vector<int>& halvings);
+
+  /// The polygon along the left walls or the right ones, in the order of the outline.
+  Polygon wall(bool left) const;
+  std::vector<Source> sources(bool left) const;
+  /// Counterclockwise (+1) or clockwise (-1); once no cells meet.
+  int orientation() const;
+
+ private:
+  void add(const Piece& piece, const Gate& first, const Gate& last, int depth, const std::string& name);
+  bool add_split(const Cell& cell, const Gate& first, const Gate& last, int halvings, std::vector<Cell>& cells,
+                 std::vector<Gate>& gates) const;
+
+  Resolution resolution_;
+  std::vector<Cell> cells_;
+  std::vector<Gate> gates_;
+};
+
+/// The segments of the ring, the closing line included where the outline needs one.
+std::vector<CurveSegment> closed_segments(const Outline& outline);
+
+}  // namespace taut::internal::curve

@@ -1,0 +1,61 @@
+// Pieces of curves, each with a control polygon that bounds it.
+//
+// The law of a piece: its points are convex combinations of its control points, and its tangents are nonnegative
+// combinations of the control polygon's segments. So it lies in the hull of its control points, and if all segments
+// have a positive product with one direction, it runs along that direction without ever turning back.
+//
+//   Bezier curves: both are theirs by definition (Bernstein polynomials are nonnegative and sum up to 1), and de
+//     Casteljau's halving keeps them.
+//   Arcs of ellipses of a quarter or hardly more: images of c + (cos t, sin t) under an affine map. The arc of the
+//   circle between
+//     the directions u and v lies in the triangle of its ends and the point (u + v) / (1 + u v) at which the tangents
+//     of these meet, and its tangents turn from the one segment's direction to the other's. Halves are between u, v and
+//     (u
+//     + v) / |u + v|. Affine maps keep combinations.
+//   Lines: trivially.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "geometry/wide.hpp"
+#include "taut/outline.hpp"
+
+namespace taut::internal::curve {
+
+/// Centre and half-axes of an ellipse: centre + cos t a + sin t b.
+struct ArcFrame {
+  WidePoint centre, a, b;
+  /// Centre and axes are doubles, the axes along x and y, and the arc's ends exactly on the ellipse.
+  bool exact = false;
+  WidePoint at(const WidePoint& u) const;
+};
+
+/// What is known of the tangent at an end: it is exactly along an axis, where the end is exact. Only such tangents
+/// can be followed by edges of doubles without leaving room.
+enum class Level : unsigned char { unknown, horizontal, vertical };
+
+struct Piece {
+  int segment = 0;
+  double from = 0, to = 1;  ///< of the segment's parameter: of arcs, the share of the angle
+  std::array<WidePoint, 4> control;
+  int size = 2;  ///< of `control`: 2 is a line
+  std::array<Level, 2> level{Level::unknown, Level::unknown};
+  std::array<bool, 2> still{false, false};  ///< a cubic whose first, or last, segment is exactly null
+  std::shared_ptr<const ArcFrame> frame;    ///< of an arc
+  std::array<WidePoint, 2> unit;            ///< of an arc: where it begins and ends, on the unit circle
+
+  bool is_line() const { return size == 2; }
+  const WidePoint& first() const { return control[0]; }
+  const WidePoint& last() const { return control[static_cast<std::size_t>(size - 1)]; }
+};
+
+/// The segment in as few pieces as there may be: arcs are cut at the ends of their axes. Curves whose control points
+/// are exactly on the line between the ends, in order, are lines. Empty for a segment of no length.
+std::vector<Piece> pieces_of(const Point& from, const CurveSegment& segment, int index);
+
+/// Two pieces, cut in the middle; not of lines.
+std::array<Piece, 2> halves(const Piece& piece);
+
+}  // namespace taut::internal::curve

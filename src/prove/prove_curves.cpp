@@ -1,0 +1,177 @@
+#include "prove/prove_curves.hpp"
+
+#include <functional>
+#include <sstream>
+#include <string>
+
+#include "numeric/errors.hpp"
+#include "proof/curved_scene.hpp"
+#include "proof/header.hpp"
+#include "query/curved_questions.hpp"
+#include "scene/ring_set.hpp"
+#include "solver/run.hpp"
+#include "taut/proof.hpp"
+
+namespace taut::internal {
+namespace {
+
+using proof::Bodies;
+
+/// The reason why there is no log.
+struct NotProved {
+  std::string reason;
+};
+
+/// The polygons of the bodies with curves, unchanged.
+proof::PolygonsOfBodies polygons_in(const Scene& scene, const Scene& flat) {
+  proof::PolygonsOfBodies polygons(scene.bodies.size());
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    if (!scene.bodies[i].curves.empty()) polygons[i] = parts_of(flat.bodies[i]);
+  }
+  return polygons;
+}
+
+/// Polygons on one side of the curves, and the log that proves their answer.
+struct Side {
+  proof::PolygonsOfBodies polygons;
+  std::string log;
+};
+
+/// Writes a log about polygons, and returns the reason of a failure.
+using ProvePolygons = std::function<std::string(const Scene& polygons, std::ostream& log)>;
+
+class CurvesProver {
+ public:
+  CurvesProver(const Scene& scene, const CurvedWorld& world, ProvePolygons prove)
+      : scene_(scene), world_(world), prove_(std::move(prove)), bodies_(scene) {}
+
+  /// The verifier's own test confirms the side of the polygons before anything is proved about them.
+  Side side(CurveSide where) {
+    const Scene flat = world_.polygons(where);
+    Side made{polygons_in(scene_, flat), {}};
+    try {
+      bodies_.require(made.polygons, where == CurveSide::outer ? Bodies::around : Bodies::within);
+    } catch (const ProofError& error) {
+      throw NotProved{error.what()};
+    }
+    std::ostringstream out;
+    const std::string trouble = prove_(flat, out);
+    made.log = out.str();
+    if (!trouble.empty() || made.log.empty()) throw NotProved{trouble};
+    return made;
+  }
+
+ private:
+  const Scene& scene_;
+  const CurvedWorld& world_;
+  ProvePolygons prove_;
+  proof::CurvedBodies bodies_;
+};
+
+void write_curved_ring(proof::ByteWriter& out, const Polygon& ring) {
+  out.u32(static_cast<std::uint32_t>(ring.size()));
+  for (const Point& p : ring) {
+    out.f64(p.x);
+    out.f64(p.y);
+  }
+}
+
+void write_curves_log(std::ostream& log, const Scene& scene, Touch touch, const std::vector<Side>& sides) {
+  proof::ByteWriter out(log);
+  const auto kind = static_cast<std::uint8_t>(sides.size() - 1);
+  proof::write_header(out, {proof::of_curves, scene_fingerprint(scene, touch), touch, kind});
+  for (const Side& side : sides) {
+    for (const std::vector<Part>& parts : side.polygons) {
+      for (const Part& part : parts) {
+        write_curved_ring(out, part.outline);
+        for (const Polygon& hole : part.holes) write_curved_ring(out, hole);
+      }
+    }
+    out.u64(side.log.size());
+    for (const char c : side.log) out.u8(static_cast<std::uint8_t>(c));
+  }
+  out.close();
+}
+
+/// Up to when this log proves that nothing happens. The instant of a contact is what the verifier finds, which may be
+/// earlier by some units in the last place.
+double proved_until(const Scene& polygons, const std::string& log) {
+  std::istringstream in(log);
+  return verify(polygons, in).free_until;
+}
+
+/// Writes the log of an answer: polygons around the bodies and, if there is a contact, polygons within. Returns the
+/// reason if there is no log, else an empty string. An undecided answer becomes what the log proves.
+template <class AnyAnswer>
+std::string prove_sides(const Scene& scene, const CurvedWorld& world, AnyAnswer& answer, Touch touch,
+                        const ProvePolygons& prove, std::ostream& log) {
+  try {
+    CurvesProver prover(scene, world, prove);
+    std::vector<Side> sides{prover.side(CurveSide::outer)};
+    if (answer.outcome == Outcome::contact) sides.push_back(prover.side(CurveSide::inner));
+    if (answer.outcome == Outcome::undecided)
+      answer.free_until = proved_until(world.polygons(CurveSide::outer), sides[0].log);
+    write_curves_log(log, scene, touch, sides);
+    return {};
+  } catch (const ProofError& error) {
+    return error.what();
+  } catch (const NotProved& trouble) {
+    return trouble.reason;
+  } catch (const Interrupted& limit) {
+    return limit.reason;
+  }
+}
+
+/// Is there anything that a log would prove?
+template <class AnyAnswer>
+bool is_worth_a_log(const AnyAnswer& answer, const Scene& scene) {
+  return answer.outcome == Outcome::free || answer.outcome == Outcome::contact ||
+         (answer.outcome == Outcome::undecided && answer.free_until > scene.start);
+}
+
+template <class AnyAnswer>
+std::string unfinished(const AnyAnswer& answer, const std::string& why) {
+  return std::string("the answer is ") + to_string(answer.outcome) + ", but its proof was not finished: " + why;
+}
+
+}  // namespace
+
+Answer prove_curves(const Scene& scene, std::ostream& log, const CheckOptions& given) {
+  CheckOptions options = given;
+  options.all_pairs = false;
+  CurvedContact found = first_contact_of_curves(scene, options);
+  if (!is_worth_a_log(found.answer, scene)) return found.answer;
+  options.tell_touching = false;
+  const std::string trouble = prove_sides(
+      scene, found.world, found.answer, options.touch,
+      [&](const Scene& flat, std::ostream& out) { return prove(flat, out, options).reason; }, log);
+  if (trouble.empty()) return found.answer;
+  Answer undecided;
+  undecided.engine = found.answer.engine;
+  undecided.coverage = found.answer.coverage;
+  undecided.geometry = found.answer.geometry;
+  undecided.free_until = scene.start;
+  undecided.reason = unfinished(found.answer, trouble);
+  return undecided;
+}
+
+MarginAnswer prove_clearance_of_curves(const Scene& scene, double clearance, std::ostream& log,
+                                       const CheckOptions& given) {
+  CheckOptions options = given;
+  options.all_pairs = false;
+  CurvedMargin found = margin_of_curves(scene, clearance, options);
+  if (!is_worth_a_log(found.answer, scene)) return found.answer;
+  const std::string trouble = prove_sides(
+      scene, found.world, found.answer, options.touch,
+      [&](const Scene& flat, std::ostream& out) { return prove_clearance(flat, clearance, out, options).reason; }, log);
+  if (trouble.empty()) return found.answer;
+  MarginAnswer undecided;
+  undecided.outcome = Outcome::undecided;
+  undecided.coverage = found.answer.coverage;
+  undecided.geometry = found.answer.geometry;
+  undecided.free_until = scene.start;
+  undecided.reason = unfinished(found.answer, trouble);
+  return undecided;
+}
+
+}  // namespace taut::internal

@@ -1,0 +1,160 @@
+#include "prove/prove_separations.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "numeric/budget.hpp"
+#include "numeric/errors.hpp"
+#include "numeric/undecided.hpp"
+#include "proof/header.hpp"
+#include "prove/prove_curves.hpp"
+#include "prove/separations_writer.hpp"
+#include "scene/curved_world.hpp"
+#include "spacetime/first_contact.hpp"
+#include "taut/proof.hpp"
+
+namespace taut {
+using namespace internal;
+namespace {
+
+/// Writes the whole log, if there is one: the header, the clearance if there is one, and the body. Returns up to when
+/// it proves that nothing happens.
+std::optional<double> write_log(std::ostream& log, const Scene& scene, Touch touch,
+                                const std::optional<SeparationsBody>& body, double clearance = 0) {
+  if (!body) return std::nullopt;
+  const std::uint8_t kind = static_cast<std::uint8_t>(body->claim) | (clearance > 0 ? proof::with_clearance : 0);
+  proof::ByteWriter out(log);
+  proof::write_header(out, {proof::of_separations, scene_fingerprint(scene, touch), touch, kind});
+  if (clearance > 0) out.f64(clearance);
+  for (const char c : body->bytes) out.u8(static_cast<std::uint8_t>(c));
+  out.close();
+  return body->free_until;
+}
+
+/// The result of the pair that the answer names.
+const PairResult* earliest(const Answer& answer, const std::vector<PairResult>& results) {
+  const std::array<int, 2> named = answer.pair.value_or(std::array<int, 2>{0, 1});
+  const auto found = std::find_if(results.begin(), results.end(),
+                                  [&](const PairResult& r) { return r.a == named[0] && r.b == named[1]; });
+  return found == results.end() ? nullptr : &*found;
+}
+
+/// Returns the answer as far as `write()` proves it, which returns up to when nothing happens: none if there is no log.
+/// Returns an answer that is undecided from the start if the log is not finished.
+template <class AnyAnswer, class Write>
+AnyAnswer as_proved(const AnyAnswer& answer, double start, const Write& write) {
+  std::optional<double> until;
+  const std::string stopped = what_stops([&] { until = write(); });
+  if (stopped.empty()) {
+    AnyAnswer proved = answer;
+    if (answer.outcome == Outcome::undecided) proved.free_until = until.value_or(start);
+    return proved;
+  }
+  AnyAnswer undecided;
+  if constexpr (std::is_same_v<AnyAnswer, Answer>) undecided.engine = answer.engine;
+  undecided.outcome = Outcome::undecided;
+  undecided.coverage = answer.coverage;
+  undecided.free_until = start;
+  undecided.reason =
+      std::string("the answer is ") + to_string(answer.outcome) + ", but its proof was not finished: " + stopped;
+  return undecided;
+}
+
+/// The end of the windows if nothing happens before `until`. At a joint, windows include all of its bridges, and an
+/// event may occur on one of these, so the windows end at the double before.
+double end_of_windows(const proof::VerifierScene& scene, double until) {
+  const double t = std::clamp(until, scene.start(), scene.end());
+  for (int body = 0; body < scene.size(); ++body) {
+    for (const PieceList& motion : scene[body].motions) {
+      const double before = std::nextafter(t, scene.start());
+      if (t > scene.start() && motion.until(motion.number_at(before)) == t) return before;
+    }
+  }
+  return t;
+}
+
+/// The proof that nothing happens up to the time in the answer; none for other answers.
+template <class AnyAnswer>
+std::optional<SeparationsBody> freedom(const AnyAnswer& answer, const proof::VerifierScene& proved, Offset offset,
+                                       double margin) {
+  SeparationsWriter writer(proved, offset, margin);
+  if (answer.outcome == Outcome::free) return writer.free();
+  const double until = end_of_windows(proved, answer.free_until);
+  if (answer.outcome != Outcome::undecided || until <= proved.start()) return std::nullopt;
+  return writer.free_until(until);
+}
+
+/// The body of the log of an answer, without its header; none if there is nothing to prove.
+std::optional<SeparationsBody> body_of_log(const Run& run, const proof::VerifierScene& proved, const Answer& answer,
+                                           Touch touch) {
+  const Offset offset = offset_for(touch);
+  if (answer.outcome != Outcome::contact) return freedom(answer, proved, offset, 0);
+  // If there are two bodies, their only pair has its own section.
+  const double until = proved.size() == 2 ? std::clamp(answer.free_until, proved.start(), proved.end())
+                                          : end_of_windows(proved, answer.free_until);
+  const std::vector<PairResult> results = run.search()->results();
+  const PairResult* named = earliest(answer, results);
+  if (named->touching) return SeparationsWriter(proved, Offset::inward).touching(*named);
+  return SeparationsWriter(proved, offset).contact(*named, until);
+}
+
+}  // namespace
+
+}  // namespace taut
+
+namespace taut::internal {
+
+Answer prove_by_separations(const Scene& scene, std::ostream& log, const CheckOptions& options) {
+  Run run(scene, options);
+  run.run();
+  return prove_by_separations(run, scene, log, options);
+}
+
+Answer prove_by_separations(const Run& run, const Scene& scene, std::ostream& log, const CheckOptions& options) {
+  const Answer answer = run.answer_with_touching();
+  if (!run.search()) return answer;
+  return as_proved(answer, scene.start, [&] {
+    return write_log(log, scene, options.touch, body_of_log(run, proof::VerifierScene(scene), answer, options.touch));
+  });
+}
+
+}  // namespace taut::internal
+
+namespace taut {
+using namespace internal;
+
+namespace {
+
+/// The body of the log of an answer about a clearance.
+std::optional<SeparationsBody> body_about_clearance(const Scene& scene, const MarginAnswer& answer, double clearance,
+                                                    Touch touch) {
+  const proof::VerifierScene proved(scene);
+  const Offset offset = offset_for(touch);
+  const double margin = std::ldexp(clearance, proved.exponent());
+  if (answer.outcome != Outcome::contact) return freedom(answer, proved, offset, margin);
+  const PairMargin& first = *answer.first;
+  if (offset == Offset::outward && first.time.hi <= proved.start())
+    return SeparationsWriter(proved, Offset::inward, margin).close_at_start(first.bodies, *first.features);
+  const double until = end_of_windows(proved, answer.free_until);
+  return SeparationsWriter(proved, offset, margin).closer(first.bodies, *first.features, {until, first.time.hi});
+}
+
+}  // namespace
+
+MarginAnswer prove_clearance(const Scene& scene, double clearance, std::ostream& log, const CheckOptions& given) {
+  // The parts of this query have limits of their own. This limit applies to all of them together.
+  const Budget scope(given.limits);
+  if (has_curves(scene)) return prove_clearance_of_curves(scene, clearance, log, given);
+  CheckOptions options = given;
+  options.all_pairs = false;
+  const MarginAnswer answer = check_clearance(scene, clearance, options);
+  return as_proved(answer, scene.start, [&] {
+    return write_log(log, scene, options.touch, body_about_clearance(scene, answer, clearance, options.touch),
+                     clearance);
+  });
+}
+
+}  // namespace taut

@@ -1,0 +1,64 @@
+// Writes the reasons why bodies stay disjoint, for a known answer. Format: docs/separation-logs.md.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "proof/fine_instant.hpp"
+#include "proof/format.hpp"
+#include "proof/verifier_world.hpp"
+#include "solver/pair_solver.hpp"
+#include "taut/clearance.hpp"
+
+namespace taut::internal {
+
+/// The contents of a log after its header, and after the clearance if there is one.
+struct SeparationsBody {
+  proof::Claim claim;
+  std::string bytes;
+  double free_until;  ///< up to when the windows of the log prove that nothing meets
+};
+
+/// Writes one log. The answer states that bodies are disjoint. This class finds the reasons in the terms of a verifier:
+/// windows of time, boxes, directions between ranges of edges. If the format has no reason that applies, it throws
+/// Undecidable.
+class SeparationsWriter {
+ public:
+  /// The scene must outlive this object. The margin is in internal units; 0 for a query about contact.
+  SeparationsWriter(const proof::VerifierScene& scene, Offset offset, double margin = 0)
+      : scene_(scene), world_(scene, offset, margin) {}
+
+  /// Nothing meets.
+  SeparationsBody free();
+  /// Nothing meets before that time.
+  SeparationsBody free_until(double until);
+  /// Two bodies touch at the start, and nothing overlaps.
+  SeparationsBody touching(const PairResult& result);
+  /// Two features are as close as the margin at the start, and nothing is closer.
+  SeparationsBody close_at_start(const std::array<BodyId, 2>& bodies, const CloseFeatures& features);
+  /// Two features come closer than the margin at about the end of that time, and nothing does before its beginning.
+  SeparationsBody closer(const std::array<BodyId, 2>& bodies, const CloseFeatures& features, const TimeInterval& time);
+  /// A contact found on these segments; `until` is the earliest instant at which anything may happen.
+  SeparationsBody contact(const PairResult& result, double until);
+
+  const proof::VerifierPair& pair(int a, int b) { return world_.pair(a, b); }
+
+ private:
+  void put_pair(const PairResult& result);
+  void all_windows(double until);
+  void section(const proof::VerifierPair& pair, const std::vector<proof::SegmentStretch>& stretches,
+               const std::optional<Instant>& until);
+  std::pair<std::size_t, proof::FineInstant> instant_of_margin(const proof::VerifierPair& pair,
+                                                               const proof::Incidence& close, bool is_edge,
+                                                               const TimeInterval& about) const;
+
+  const proof::VerifierScene& scene_;
+  proof::VerifierWorld world_;
+  std::pair<int, int> contact_pair_{-1, -1};
+  std::string out_;
+};
+
+}  // namespace taut::internal

@@ -1,0 +1,194 @@
+#include "taut/clearance.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "certificate/feature_map.hpp"
+#include "numeric/budget.hpp"
+#include "numeric/errors.hpp"
+#include "numeric/progress.hpp"
+#include "numeric/undecided.hpp"
+#include "query/curved_questions.hpp"
+#include "query/nearest_points.hpp"
+#include "scene/pairs_in_reach.hpp"
+#include "scene/untested.hpp"
+#include "scene/validate_scene.hpp"
+#include "solver/pair_instance.hpp"
+#include "solver/run.hpp"
+#include "spacetime/resolve_nearest.hpp"
+#include "taut/error.hpp"
+
+namespace taut {
+using namespace internal;
+namespace {
+
+/// It is undecided whether bodies touch, for this reason.
+struct TouchUndecided {
+  std::string reason;
+};
+
+class ClearanceSearch {
+ public:
+  ClearanceSearch(const Scene& scene, const ClearanceOptions& options)
+      : options_(options), instance_(scene), boxes_(instance_), best_(INFINITY) {
+    // A little less than the tolerance; the rest is for rounding.
+    tolerance_ = {options.relative * 0.99, 0.99e-12 * instance_.largest()};
+  }
+
+  /// The coverage as if engines had examined every pair that the query includes.
+  Coverage all_tested() const { return instance_.coverage(instance_.coverage(0).apart); }
+
+  Clearance run() {
+    answer_.coverage = instance_.coverage(0);
+    if (answer_.coverage.is_empty()) {
+      answer_.outcome = Outcome::untested;
+      answer_.reason = why_untested(answer_.coverage);
+      return std::move(answer_);
+    }
+    search_all();
+    answer_.coverage = instance_.coverage(searched_.size());
+    if (answer_.nearest) {
+      answer_.outcome = answer_.nearest->hi > 0 ? Outcome::free : Outcome::contact;
+      answer_.nearest->lo = std::min(answer_.nearest->lo, std::ldexp(certain_, -instance_.exponent()) * (1 - 0x1p-50));
+      if (is_wide(*answer_.nearest)) answer_.wide = why_;
+    }
+    std::sort(answer_.pairs.begin(), answer_.pairs.end(),
+              [](const NearestPoints& a, const NearestPoints& b) { return a.pair < b.pair; });
+    return std::move(answer_);
+  }
+
+ private:
+  struct BoxedPair {
+    double bound;
+    int a, b;
+  };
+
+  bool is_wide(const NearestPoints& found) const {
+    return found.hi - found.lo >
+           options_.relative * found.hi + 1e-12 * std::ldexp(instance_.largest(), -instance_.exponent());
+  }
+
+  /// Searches pairs in the order of the distance of their boxes, in rounds of increasing reach, until no other pair can
+  /// be closer than the distance found. If that is 0, all pairs whose boxes meet are searched for the first touch.
+  void search_all() {
+    double reach = options_.all_pairs ? INFINITY : 0;
+    for (;;) {
+      for (const BoxedPair& pair : new_pairs(reach)) {
+        if (!options_.all_pairs && pair.bound > (best_ > 0 ? tolerance_.least(best_) : 0)) return;
+        report_parts("pairs", searched_.size());
+        searched_.emplace(pair.a, pair.b);
+        search(pair);
+      }
+      if (reach >= tolerance_.least(best_)) return;
+      // Without any distance so far: at least the size of a body, doubled each time.
+      reach = best_ < INFINITY ? best_ : std::max(2 * reach, 0x1p-6 * instance_.largest());
+      if (!(reach < 64)) reach = INFINITY;
+    }
+  }
+
+  /// The pairs within reach that have not been searched, the nearest boxes first.
+  std::vector<BoxedPair> new_pairs(double reach) const {
+    std::vector<BoxedPair> pairs;
+    for (const auto& [a, b] : boxes_.pairs_within(reach)) {
+      checkpoint();
+      if (searched_.count({a, b}) == 0) pairs.push_back({boxes_.distance(a, b), a, b});
+    }
+    std::stable_sort(pairs.begin(), pairs.end(),
+                     [](const BoxedPair& x, const BoxedPair& y) { return x.bound < y.bound; });
+    return pairs;
+  }
+
+  void search(const BoxedPair& pair) {
+    const PairInstance search(instance_, pair.a, pair.b, Offset::outward);
+    NearestPoints found;
+    found.pair = {pair.a, pair.b};
+    if (!touching(search, found)) {
+      if (!options_.all_pairs && !(best_ > 0)) return;
+      spacetime::Nearest nearest;
+      nearest.distance = options_.all_pairs ? INFINITY : best_;
+      const double before = nearest.distance;
+      spacetime::find_nearest(search.geometry, search.trees(), search.segments(), tolerance_, nearest);
+      const std::string why = spacetime::resolve_nearest(search.geometry, search.trees(), search.segments(),
+                                                         {instance_.start(), instance_.end()}, tolerance_, nearest);
+      certain_ = std::min(certain_, nearest.unresolved);
+      if (!why.empty()) why_ = why;
+      if (!options_.all_pairs && !(nearest.distance < before)) return;
+      describe(search, nearest, found);
+    }
+    if (options_.all_pairs) answer_.pairs.push_back(found);
+    if (answer_.nearest && !is_nearer(found, *answer_.nearest)) return;
+    answer_.nearest = found;
+    best_ = std::ldexp(found.hi, instance_.exponent());
+  }
+
+  /// Of two pairs that touch, the one that does so first.
+  static bool is_nearer(const NearestPoints& a, const NearestPoints& b) {
+    if (a.hi != b.hi) return a.hi < b.hi;
+    return !(a.hi > 0) && a.time.lo < b.time.lo;
+  }
+
+  /// Bodies that touch have no distance.
+  bool touching(const PairInstance& search, NearestPoints& found) const {
+    const MotionSegment& first = search.segments()[0];
+    if (spacetime::overlapping(search.geometry, search.trees(), first, instance_.start())) {
+      found.time = {instance_.start(), instance_.start()};
+      return true;
+    }
+    const spacetime::SpacetimeResult contact =
+        spacetime::first_contact(search.geometry, search.trees(), search.segments());
+    if (contact.outcome == spacetime::SpacetimeResult::free) return false;
+    if (contact.outcome == spacetime::SpacetimeResult::undecided) throw TouchUndecided{contact.reason};
+    const MotionSegment& segment = search.segments()[contact.segment];
+    const Contact said = FeatureMap(search.bodies, search.geometry, Offset::outward).contact(contact.found, segment);
+    found.time = said.time;
+    found.points = {said.point, said.point};
+    return true;
+  }
+
+  void describe(const PairInstance& search, const spacetime::Nearest& nearest, NearestPoints& found) const {
+    found = nearest_points_of(search, nearest.segment, nearest.parameter, nearest.edge_p, nearest.edge_q);
+    const MotionSegment& segment = search.segments()[nearest.segment];
+    const double t = std::clamp(segment.time(nearest.parameter), instance_.start(), instance_.end());
+    found.time = {t, t};
+    found.hi = std::ldexp(nearest.distance, -instance_.exponent());
+    const double least = std::min(tolerance_.least(nearest.distance), nearest.unresolved);
+    found.lo = std::max(0.0, std::ldexp(least, -instance_.exponent()) * (1 - 0x1p-50));
+  }
+
+  const ClearanceOptions& options_;
+  Instance instance_;
+  CoarseBoxes boxes_;
+  std::set<std::pair<int, int>> searched_;
+  spacetime::ClearanceTolerance tolerance_;
+  double best_;                ///< internal units
+  double certain_ = INFINITY;  ///< a lower bound of the distance of all pairs that are not known to the requested
+                               ///< accuracy
+  std::string why_;            ///< the reason for that
+  Clearance answer_;
+};
+
+}  // namespace
+
+Clearance clearance(const Scene& scene, const ClearanceOptions& options) {
+  if (!(options.relative >= 1e-12 && options.relative < 1))
+    throw InputError("tolerance", "it is not at least 1e-12 and below 1",
+                     "1e-9 is usual; doubles do not resolve more than 1e-12");
+  if (has_curves(scene)) return clearance_of_curves(scene, options);
+  const Budget scope(options.limits);
+  Clearance answer;
+  try {
+    const std::string stopped = what_stops([&] {
+      validate_polygons(scene);
+      ClearanceSearch search(scene, options);
+      answer.coverage = search.all_tested();
+      answer = search.run();
+    });
+    if (!stopped.empty()) answer.reason = stopped;
+  } catch (const TouchUndecided& limit) {
+    answer.reason = limit.reason;
+  }
+  return answer;
+}
+
+}  // namespace taut

@@ -1,0 +1,271 @@
+// The first contact of bodies with curves, and the check of each pair and of shrunk bodies.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+
+#include "query/curved_questions.hpp"
+#include "query/near_cells.hpp"
+#include "scene/fitted_scene.hpp"
+#include "solver/earliest.hpp"
+#include "solver/run.hpp"
+#include "taut/error.hpp"
+
+namespace taut::internal {
+namespace {
+
+using SteadyClock = std::chrono::steady_clock;
+
+std::string short_text(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.12g", x);
+  return text;
+}
+
+const char* const remedies =
+    "; `--fit E` asks about bodies that are shrunk by a little, and `taut clearance` how close they come";
+
+/// The pair of an answer.
+std::array<BodyId, 2> pair_in(const Answer& answer) { return answer.pair.value_or(std::array<BodyId, 2>{0, 1}); }
+
+/// Brackets one first contact.
+class CurvedCheck {
+ public:
+  CurvedCheck(const Scene& scene, const CheckOptions& options)
+      : options_(options), began_(SteadyClock::now()), world_(scene), limit_(world_), from_(scene.start) {
+    wanted_ = options.time_tolerance * (scene.end - scene.start);
+  }
+
+  Answer run() {
+    for (int round = 0;; ++round) {
+      const Answer outer = ask(CurveSide::outer, from_, world_.scene().end);
+      if (outer.outcome == Outcome::untested) return outer;
+      if (outer.outcome == Outcome::free || outer.outcome == Outcome::undecided) return concluded(outer, {});
+      if (outer.outcome == Outcome::overlap_at_start) {
+        if (auto answer = begin_together(outer)) return *answer;
+        continue;
+      }
+      if (auto answer = bracket(outer, round)) return *answer;
+    }
+  }
+
+  CurvedWorld take_world() { return std::move(world_); }
+
+ private:
+  double seconds_left() const { return time_left(options_.limits.max_seconds, began_); }
+
+  Answer ask(CurveSide side, double from, double to) {
+    CheckOptions options = options_;
+    options.tell_touching = false;
+    options.limits.max_seconds = seconds_left();
+    Scene scene = world_.polygons(side);
+    scene.start = from;
+    scene.end = to;
+    const Answer answer = check(scene, options);
+    events_ += answer.events;
+    return answer;
+  }
+
+  /// Polygons around the bodies overlap at the beginning of the time.
+  std::optional<Answer> begin_together(const Answer& outer) {
+    if (from_ > world_.scene().start) {
+      // This is due to the displacement: bodies that were free before, by less than it, need not be free to the last
+      // bit.
+      from_ = world_.scene().start;
+      windows_ = false;
+      return std::nullopt;
+    }
+    const Answer inner = ask(CurveSide::inner, from_, from_);
+    if (inner.outcome == Outcome::overlap_at_start) return concluded(inner, {});
+    CurvedWorld::Halvings marks = world_.no_halvings();
+    const std::size_t count = mark_near(world_, pair_in(outer), from_, 0, marks);
+    if (!is_hopeless(outer, from_, count) && !limit_.reached(world_) && refine_marked(world_, std::move(marks), count))
+      return std::nullopt;
+    return undecided(outer,
+                     "curves touch or run along each other at the start: whether they overlap is finer than "
+                     "polygons resolve");
+  }
+
+  std::optional<Answer> bracket(const Answer& outer, int round) {
+    const double lo = outer.contact->time.lo;
+    CurvedWorld::Halvings marks = world_.no_halvings();
+    std::size_t count = mark_near(world_, pair_in(outer), lo, 0, marks);
+    const bool still = round > 0 && lo - last_ <= 64 * wanted_;
+    last_ = lo;
+    std::optional<Answer> inner;
+    if (still || count == 0 || limit_.reached(world_)) {
+      inner = ask(CurveSide::inner, from_, world_.scene().end);
+      if (inner->outcome == Outcome::undecided) return concluded(*inner, lo);
+      if (inner->contact && inner->contact->time.hi - lo <= width_of(*inner->contact)) return contact(outer, *inner);
+      if (inner->contact) count += mark_near(world_, pair_in(*inner), inner->contact->time.hi, 0, marks);
+    }
+    if (is_hopeless(outer, lo, count) || limit_.reached(world_) || !refine_marked(world_, std::move(marks), count)) {
+      if (inner && inner->contact) return barely(outer, *inner);
+      return undecided(outer,
+                       "from t = " + short_text(lo) +
+                           " on curves touch, or come nearer to it than doubles resolve, and may not overlap at all");
+    }
+    if (windows_) from_ = std::max(from_, lo - wanted_);
+    return std::nullopt;
+  }
+
+  /// If many cells are near, the curves may coincide along a length. Refinement would then reach the limit in vain.
+  bool is_hopeless(const Answer& outer, double t, std::size_t count) const {
+    constexpr std::size_t much = 200;
+    return count > much && run_along(world_, pair_in(outer), t, limit_.most());
+  }
+
+  /// The uncertainty of the answers for the polygons themselves is not due to the curves.
+  double width_of(const Contact& contact) const {
+    return std::max({wanted_, 2 * (contact.time.hi - contact.time.lo), 0x1p-49 * std::fabs(contact.time.hi)});
+  }
+
+  Answer contact(const Answer& outer, Answer inner) const {
+    inner.contact->time.lo = outer.contact->time.lo;
+    inner.contact->grazing = inner.contact->grazing || outer.contact->grazing;
+    inner.free_until = outer.contact->time.lo;
+    return concluded(inner, outer.contact->time.lo);
+  }
+
+  /// The resolution of doubles was reached before the bracket was narrow enough.
+  Answer barely(const Answer& outer, const Answer& inner) const {
+    return undecided(outer, "they overlap first between t = " + short_text(outer.contact->time.lo) + " and t = " +
+                                short_text(inner.contact->time.hi) + ", and doubles cannot resolve curves further");
+  }
+
+  Answer undecided(const Answer& outer, const std::string& reason) const {
+    Answer answer = outer;
+    answer.outcome = Outcome::undecided;
+    answer.free_until = outer.contact ? outer.contact->time.lo : world_.scene().start;
+    answer.contact.reset();
+    answer.overlap_point.reset();
+    answer.also.clear();
+    answer.reason = reason + remedies;
+    return concluded(answer, answer.free_until);
+  }
+
+  Answer concluded(Answer answer, std::optional<double> free_until) const {
+    CurveGeometry geometry{answer.outcome == Outcome::free ? world_.tolerance() : 0, world_.segments()};
+    if (answer.contact) geometry.tolerance = world_.name_curves(CurveSide::inner, *answer.contact);
+    for (PairAnswer& pair : answer.also) {
+      if (pair.contact) world_.name_curves(CurveSide::inner, *pair.contact);
+    }
+    if (free_until) answer.free_until = std::max(answer.free_until, *free_until);
+    if (answer.outcome == Outcome::undecided || answer.outcome == Outcome::overlap_at_start)
+      geometry.tolerance = world_.tolerance();
+    answer.geometry = geometry;
+    answer.events = events_;
+    answer.run_seconds = seconds_since(began_) - answer.build_seconds;
+    return answer;
+  }
+
+  const CheckOptions& options_;
+  SteadyClock::time_point began_;
+  CurvedWorld world_;
+  RefinementLimit limit_;
+  double from_;  ///< nothing happens before this time
+  double wanted_ = 0;
+  double last_ = 0;
+  bool windows_ = true;
+  std::uint64_t events_ = 0;
+};
+
+Answer check_curved_or_plain(const Scene& scene, const CheckOptions& options) {
+  return has_curves(scene) ? CurvedCheck(scene, options).run() : check(scene, options);
+}
+
+/// Checks each pair separately. Pairs whose outer polygons never meet are decided together, the others one by one.
+Answer check_each_pair(const Scene& scene, const CheckOptions& options) {
+  const SteadyClock::time_point began = SteadyClock::now();
+  CurvedWorld world(scene);
+  CheckOptions all = options;
+  all.tell_touching = false;
+  Answer answer = check(world.polygons(CurveSide::outer), all);
+  if (answer.outcome == Outcome::untested) return answer;
+  answer.geometry = CurveGeometry{world.tolerance(), world.segments()};
+  if (!answer.pairs) return answer;
+  all.all_pairs = false;
+  std::vector<PairEvent> events;
+  double tolerance = 0;
+  for (PairAnswer& pair : *answer.pairs) {
+    if (pair.outcome == Outcome::free) continue;
+    std::vector<BodyId> ids;
+    all.limits.max_seconds = time_left(options.limits.max_seconds, began);
+    const Answer own = check_curved_or_plain(scene_of_pair(scene, pair.bodies, ids), all);
+    pair = {pair.bodies, own.outcome, own.contact, own.outcome == Outcome::free ? scene.end : own.free_until,
+            own.reason};
+    if (own.geometry) tolerance = std::max(tolerance, own.geometry->tolerance);
+    if (pair.contact) {
+      for (BodyId* id : {&pair.contact->vertex.body, &pair.contact->edge.body})
+        *id = ids[static_cast<std::size_t>(*id)];
+    }
+    if (pair.outcome != Outcome::free) events.push_back({pair, {}});
+  }
+  answer.outcome = Outcome::free;
+  answer.contact.reset();
+  answer.pair.reset();
+  answer.also.clear();
+  answer.reason.clear();
+  answer.free_until = scene.end;
+  take_earliest(events, answer);
+  if (answer.outcome != Outcome::free) answer.geometry->tolerance = tolerance;
+  return answer;
+}
+
+/// Checks bodies that are shrunk: polygons that are fine compared to that suffice.
+Answer check_fitted_curves(const Scene& scene, CheckOptions options) {
+  CurvedWorld world(scene);
+  const double fit = options.fit;
+  if (!(fit > 0 && std::isfinite(fit))) throw InputError("fit", "it is not a positive number", "leave it out");
+  const double tolerance = fit / 8;
+  world.refine_to(tolerance);
+  // Where parts of a body touch along a curve, the polygons around them overlap, and those within them leave a gap.
+  const bool may_touch =
+      std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const Body& body) { return body.curves.size() > 1; });
+  const CurveSide side = may_touch ? CurveSide::outer : CurveSide::inner;
+  options.fit = 0;
+  options.tell_touching = false;
+  const FittedScene fitted(world.polygons(side), fit, may_touch ? tolerance : 0);
+  Answer answer = check(fitted.scene(), options);
+  fitted.name_given(answer);
+  answer.fit = fit;
+  answer.geometry = CurveGeometry{world.tolerance(), world.segments()};
+  if (answer.contact) world.name_curves(side, *answer.contact);
+  for (PairAnswer& pair : answer.also) {
+    if (pair.contact) world.name_curves(side, *pair.contact);
+  }
+  if (answer.pairs) {
+    for (PairAnswer& pair : *answer.pairs) {
+      if (pair.contact) world.name_curves(side, *pair.contact);
+    }
+  }
+  return answer;
+}
+
+}  // namespace
+
+bool refine_marked(CurvedWorld& world, CurvedWorld::Halvings marks, std::size_t count) {
+  const int halvings = count > 64 ? 1 : count > 24 ? 2 : 4;
+  for (auto& body : marks) {
+    for (auto& part : body) {
+      for (auto& ring : part) {
+        for (int& mark : ring) mark *= halvings;
+      }
+    }
+  }
+  return world.refine(marks);
+}
+
+CurvedContact first_contact_of_curves(const Scene& scene, const CheckOptions& options) {
+  CurvedCheck check(scene, options);
+  Answer answer = check.run();
+  return {std::move(answer), check.take_world()};
+}
+
+Answer check_curved(const Scene& scene, const CheckOptions& options) {
+  if (options.fit != 0) return check_fitted_curves(scene, options);
+  if (options.all_pairs) return check_each_pair(scene, options);
+  return CurvedCheck(scene, options).run();
+}
+
+}  // namespace taut::internal

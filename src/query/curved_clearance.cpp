@@ -1,0 +1,365 @@
+// The least distance of bodies with curves, and whether they keep a clearance.
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/vector.hpp"
+#include "motion/pose.hpp"
+#include "numeric/budget.hpp"
+#include "query/curved_questions.hpp"
+#include "query/near_cells.hpp"
+#include "scene/instance.hpp"
+#include "solver/run.hpp"
+
+namespace taut::internal {
+namespace {
+
+using ClearanceClock = std::chrono::steady_clock;
+
+double name_edges(const CurvedWorld& world, NearestPoints& nearest) {
+  return std::max(world.name_curve(CurveSide::inner, nearest.edges[0]),
+                  world.name_curve(CurveSide::inner, nearest.edges[1]));
+}
+
+/// Bodies that certainly touch have no distance. The check determines when they do.
+Clearance touching_curves(const Scene& scene, const ClearanceOptions& options, Clearance found) {
+  CheckOptions own;
+  own.touch = Touch::closed;
+  own.engine = EngineChoice::spacetime;
+  own.limits.max_seconds = options.limits.max_seconds;
+  own.limits.stop = options.limits.stop;
+  const Answer answer = check_curved(scene, own);
+  if (!answer.contact) return found;
+  if (answer.pair) found.nearest->pair = *answer.pair;
+  found.nearest->time = answer.contact->time;
+  found.nearest->points = {answer.contact->point, answer.contact->point};
+  found.nearest->edges = {answer.contact->edge, answer.contact->edge};
+  found.geometry = answer.geometry;
+  return found;
+}
+
+/// An upper bound, in the scene's units, of the jump of two bodies relative to each other where pieces of motions join.
+/// Poses are linear in the point, so the corners of a body's box suffice.
+double largest_jump(const Scene& polygons) {
+  const Instance instance(polygons);
+  double largest = 0, reach = 0;
+  for (const InstanceBody& body : instance.bodies()) {
+    const Bounds& box = body.rings->bounds();
+    const auto corner_at = [&](double of, double t, int corner) {
+      const Pose<double> pose = pose_of<Jet<double>>(pieces_at(body.motions, of), Ball<double>::exact(t));
+      const Vector p{corner & 1 ? box.hi.x : box.lo.x, corner & 2 ? box.hi.y : box.lo.y};
+      return Vector{pose.ox.v.mid, pose.oy.v.mid} + Vector{pose.xx.v.mid, pose.xy.v.mid} * p;
+    };
+    for (const PieceList& motion : body.motions) {
+      for (std::size_t k = 0; k + 1 < motion.size() && motion.until(k) < instance.end(); ++k) {
+        const double t = motion.until(k);
+        for (int corner = 0; corner < 4; ++corner) {
+          const Vector after = corner_at(t, t, corner);
+          largest = std::max(largest, l1_norm(corner_at(std::nextafter(t, instance.start()), t, corner) - after));
+          reach = std::max(reach, l1_norm(after));
+        }
+      }
+    }
+  }
+  return std::ldexp(2 * (largest + 0x1p-40 * reach), -instance.exponent());
+}
+
+/// The least distance of all pairs, between those of polygons around the bodies and within them. Where curves run along
+/// each other, all of them would have to be fine. In that case the search ends as soon as this is foreseen, with the
+/// current bracket.
+class ClearanceBracket {
+ public:
+  ClearanceBracket(const Scene& scene, const ClearanceOptions& options)
+      : scene_(scene), options_(options), began_(ClearanceClock::now()), world_(scene), own_(options) {
+    own_.all_pairs = false;
+    own_.relative = std::max(options.relative / 4, 0.01);
+    most_ = 4 * world_.segments() + 3000;
+    size_ = largest_size(world_);
+  }
+
+  Clearance run() {
+    for (;;) {
+      const Clearance outer = ask(CurveSide::outer);
+      if (!outer.reason.empty() || !outer.nearest) return outer;
+      Clearance inner = ask(CurveSide::inner);
+      if (!inner.reason.empty() || !inner.nearest) return inner;
+      const double width = inner.nearest->hi - outer.nearest->lo, wanted = wanted_width(inner.nearest->hi);
+      if (width <= wanted) return concluded(outer, std::move(inner));
+      note_progress(width);
+      if (!refine(outer, inner, width / wanted)) {
+        Clearance answer = concluded(outer, std::move(inner));
+        raise_lower_end(answer);
+        if (answer.nearest->hi > 0)
+          answer.wide =
+              "curves run along each other: a bracket as narrow as was asked for needs more edges than is "
+              "reasonable";
+        return answer;
+      }
+      // Not much finer than the polygons: the uncertainty that they leave has to be resolved anyway.
+      own_.relative = std::max(options_.relative / 4, std::min(own_.relative, 0.02 * width / inner.nearest->hi));
+    }
+  }
+
+ private:
+  Clearance ask(CurveSide side) {
+    own_.limits.max_seconds = time_left(options_.limits.max_seconds, began_);
+    Clearance answer = clearance(world_.polygons(side), own_);
+    answer.geometry = CurveGeometry{world_.tolerance(), world_.segments()};
+    return answer;
+  }
+
+  /// It is easier to decide whether a margin is kept: curves need to be fine only where they come so near, one instant
+  /// after the other. Tests margins nearer and nearer to the upper end, with a few times the total work so far. If the
+  /// bracket is narrow already, that would take long for a small gain.
+  void raise_lower_end(Clearance& answer) const {
+    constexpr int most_margins = 40;
+    constexpr std::uint64_t times_the_work = 16;
+    constexpr double narrow = 0.95;
+    NearestPoints& nearest = *answer.nearest;
+    if (nearest.lo > narrow * nearest.hi) return;
+    const Budget limit(times_the_work * (work_spent() - work_before_));
+    const double jump = largest_jump(world_.polygons(CurveSide::outer));
+    CheckOptions how;
+    how.limits.stop = options_.limits.stop;
+    double share = 0.5;
+    for (int k = 0; k < most_margins; ++k, share /= 2) {
+      const double margin = nearest.hi * (1 - share);
+      // Known margins need not be tested.
+      if (!(margin - jump > nearest.lo) || nearest.hi - margin < wanted_width(nearest.hi)) continue;
+      how.limits.max_seconds = time_left(options_.limits.max_seconds, began_);
+      if (!keeps(margin, how)) return;
+      nearest.lo = (margin - jump) * (1 - 0x1p-50);
+    }
+  }
+
+  bool keeps(double margin, const CheckOptions& how) const {
+    try {
+      return check_clearance(scene_, margin, how).outcome == Outcome::free;
+    } catch (const Interrupted&) {
+      return false;
+    }
+  }
+
+  double wanted_width(double hi) const { return options_.relative * hi + 1e-12 * size_; }
+
+  void note_progress(double width) {
+    stalled_ = width > 0.5 * least_width_ ? stalled_ + 1 : 0;
+    least_width_ = std::min(least_width_, width);
+  }
+
+  /// Refines near the nearest points. Returns false if that is in vain, or the resolution of doubles is reached.
+  bool refine(const Clearance& outer, const Clearance& inner, double too_wide) {
+    constexpr std::size_t much = 200;
+    constexpr int subdivision_threshold = 5;
+    CurvedWorld::Halvings marks = world_.no_halvings();
+    std::size_t count = mark_near(world_, outer.nearest->pair, outer.nearest->time.hi, outer.nearest->hi, marks) +
+                        mark_near(world_, inner.nearest->pair, inner.nearest->time.hi, inner.nearest->hi, marks);
+    // The nearest points move elsewhere, and to another time, as soon as the curves are refined where they were.
+    if (stalled_ > 1) count += mark_at_all_times(inner, marks);
+    if (stalled_ > 1) ++wandered_;
+    const bool in_vain = static_cast<double>(count) * std::sqrt(too_wide) > static_cast<double>(most_);
+    if (wandered_ > 2 && in_vain) return false;
+    // If curves are near for a long time, the number of near cells grows with every halving. If they are near only for
+    // a short time, it does not.
+    const bool grows = static_cast<double>(count) > 1.3 * static_cast<double>(last_count_);
+    last_count_ = count;
+    if (count > much && grows && in_vain && world_.segments() > most_ / 2) return false;
+    return stalled_ < subdivision_threshold && count > 0 && world_.segments() < 10 * most_ &&
+           refine_marked(world_, std::move(marks), count);
+  }
+
+  std::size_t mark_at_all_times(const Clearance& inner, CurvedWorld::Halvings& marks) const {
+    constexpr int times = 32;
+    std::size_t count = 0;
+    const Scene& scene = world_.scene();
+    for (int k = 0; k <= times; ++k) {
+      const double t = scene.start + (scene.end - scene.start) * (k / static_cast<double>(times));
+      count += mark_near(world_, inner.nearest->pair, t, inner.nearest->hi, marks);
+    }
+    return count;
+  }
+
+  Clearance concluded(const Clearance& outer, Clearance inner) const {
+    inner.nearest->lo = std::min(outer.nearest->lo, inner.nearest->hi);
+    if (!(inner.nearest->hi > 0)) return touching_curves(scene_, options_, std::move(inner));
+    inner.outcome = inner.nearest->lo > 0 ? Outcome::free : Outcome::undecided;
+    inner.geometry->tolerance = name_edges(world_, *inner.nearest);
+    return inner;
+  }
+
+  const Scene& scene_;
+  const ClearanceOptions& options_;
+  ClearanceClock::time_point began_;
+  CurvedWorld world_;
+  ClearanceOptions own_;
+  std::uint64_t most_ = 0, work_before_ = work_spent();
+  double size_ = 1;
+  int stalled_ = 0, wandered_ = 0;
+  std::size_t last_count_ = 0;
+  double least_width_ = INFINITY;
+};
+
+Clearance least_clearance(const Scene& scene, const ClearanceOptions& options) {
+  return ClearanceBracket(scene, options).run();
+}
+
+/// Converts a pair's answer to the terms of the whole scene.
+void place_in(const std::vector<BodyId>& ids, const std::array<BodyId, 2>& pair, NearestPoints& nearest) {
+  nearest.pair = pair;
+  for (EdgeRef& edge : nearest.edges) edge.body = ids[static_cast<std::size_t>(edge.body)];
+}
+
+void name_margin(const CurvedWorld& world, PairMargin& pair) {
+  if (pair.nearest) name_edges(world, *pair.nearest);
+  if (!pair.features) return;
+  world.name_curve(CurveSide::inner, pair.features->vertex);
+  if (pair.features->edge) world.name_curve(CurveSide::inner, *pair.features->edge);
+  if (pair.features->other) world.name_curve(CurveSide::inner, *pair.features->other);
+}
+
+MarginAnswer undecided_margin(MarginAnswer outer, const std::string& reason) {
+  outer.outcome = Outcome::undecided;
+  outer.reason = reason;
+  outer.also.clear();
+  if (outer.first) {
+    outer.free_until = outer.first->free_until;
+    outer.first->outcome = Outcome::undecided;
+    outer.first->reason = reason;
+    outer.first->features.reset();
+    outer.first->nearest.reset();
+  }
+  return outer;
+}
+
+/// Brackets the first time at which bodies come closer than a clearance: marks the parts that make the difference
+/// between two runs too wide, and refines them until the answer is found.
+class MarginBracket {
+ public:
+  MarginBracket(const Scene& scene, double clearance, const CheckOptions& options)
+      : clearance_(clearance), options_(options), world_(scene), limit_(world_) {
+    options_.all_pairs = false;
+  }
+
+  MarginAnswer run() {
+    const double wanted = options_.time_tolerance * (world_.scene().end - world_.scene().start);
+    for (;;) {
+      const MarginAnswer outer = ask(CurveSide::outer);
+      if (outer.outcome != Outcome::contact && outer.outcome != Outcome::overlap_at_start) return outer;
+      MarginAnswer inner = ask(CurveSide::inner);
+      if (inner.outcome == Outcome::undecided) return inner;
+      if (inner.outcome == outer.outcome && is_narrow(outer, inner, wanted)) return concluded(outer, std::move(inner));
+      CurvedWorld::Halvings marks = world_.no_halvings();
+      const std::size_t count = mark(outer, marks) + mark(inner, marks);
+      if (count == 0 || limit_.reached(world_) || !refine_marked(world_, std::move(marks), count))
+        return undecided_margin(outer, "whether curves come closer is finer than doubles resolve, or when");
+    }
+  }
+
+  CurvedWorld take_world() { return std::move(world_); }
+
+ private:
+  MarginAnswer ask(CurveSide side) {
+    MarginAnswer answer = check_clearance(world_.polygons(side), clearance_, options_);
+    answer.geometry = CurveGeometry{world_.tolerance(), world_.segments()};
+    return answer;
+  }
+
+  static bool is_narrow(const MarginAnswer& outer, const MarginAnswer& inner, double wanted) {
+    if (outer.outcome == Outcome::overlap_at_start) return true;
+    const double own = 2 * (inner.first->time.hi - inner.first->time.lo);
+    return inner.first->time.hi - outer.first->time.lo <=
+           std::max({wanted, own, 0x1p-49 * std::fabs(inner.first->time.hi)});
+  }
+
+  std::size_t mark(const MarginAnswer& answer, CurvedWorld::Halvings& marks) const {
+    if (!answer.first) return 0;
+    const bool late = answer.outcome == Outcome::contact;
+    return mark_near(world_, answer.first->bodies, late ? answer.first->time.hi : world_.scene().start, clearance_,
+                     marks);
+  }
+
+  MarginAnswer concluded(const MarginAnswer& outer, MarginAnswer inner) const {
+    if (inner.outcome == Outcome::contact) {
+      inner.first->time.lo = outer.first->time.lo;
+      inner.first->free_until = inner.free_until = outer.first->time.lo;
+    }
+    name_margin(world_, *inner.first);
+    for (PairMargin& pair : inner.also) name_margin(world_, pair);
+    return inner;
+  }
+
+  double clearance_;
+  CheckOptions options_;
+  CurvedWorld world_;
+  RefinementLimit limit_;
+};
+
+}  // namespace
+
+double largest_size(const CurvedWorld& world) {
+  double size = 0;
+  for (std::size_t i = 0; i < world.scene().bodies.size(); ++i) {
+    for (const curve::BandedPart& part : world.parts(static_cast<BodyId>(i)))
+      size = std::max(size, part.bands()[0].resolution().size);
+  }
+  return size;
+}
+
+Clearance clearance_of_curves(const Scene& scene, const ClearanceOptions& options) {
+  Clearance answer = least_clearance(scene, options);
+  if (!options.all_pairs || !answer.reason.empty()) return answer;
+  // The pairs of the query are those for polygons of any kind.
+  ClearanceOptions coarse = options;
+  coarse.relative = 0.1;
+  const Clearance pairs = clearance(CurvedWorld(scene).polygons(CurveSide::inner), coarse);
+  for (const NearestPoints& pair : pairs.pairs) {
+    std::vector<BodyId> ids;
+    const Scene small = scene_of_pair(scene, pair.pair, ids);
+    ClearanceOptions own = options;
+    own.all_pairs = false;
+    const Clearance found = has_curves(small) ? least_clearance(small, own) : clearance(small, own);
+    if (!found.reason.empty()) answer.reason = found.reason;
+    if (!found.wide.empty()) answer.wide = found.wide;
+    if (!found.nearest) continue;
+    answer.pairs.push_back(*found.nearest);
+    place_in(ids, pair.pair, answer.pairs.back());
+  }
+  return answer;
+}
+
+CurvedMargin margin_of_curves(const Scene& scene, double clearance, const CheckOptions& options) {
+  MarginBracket bracket(scene, clearance, options);
+  MarginAnswer answer = bracket.run();
+  return {std::move(answer), bracket.take_world()};
+}
+
+MarginAnswer check_clearance_of_curves(const Scene& scene, double clearance, const CheckOptions& options) {
+  MarginAnswer answer = margin_of_curves(scene, clearance, options).answer;
+  if (!options.all_pairs) return answer;
+  CheckOptions all = options;
+  const MarginAnswer pairs = check_clearance(CurvedWorld(scene).polygons(CurveSide::outer), clearance, all);
+  all.all_pairs = false;
+  for (PairMargin pair : pairs.pairs) {
+    if (pair.outcome != Outcome::free) {
+      std::vector<BodyId> ids;
+      const Scene small = scene_of_pair(scene, pair.bodies, ids);
+      const MarginAnswer own = check_clearance(small, clearance, all);
+      PairMargin found = own.first.value_or(PairMargin{});
+      found.bodies = pair.bodies;
+      found.outcome = own.outcome;
+      found.free_until = own.free_until;
+      found.reason = own.reason;
+      if (found.nearest) place_in(ids, pair.bodies, *found.nearest);
+      const auto place = [&](auto& feature) { feature.body = ids[static_cast<std::size_t>(feature.body)]; };
+      if (found.features) {
+        place(found.features->vertex);
+        if (found.features->edge) place(*found.features->edge);
+        if (found.features->other) place(*found.features->other);
+      }
+      pair = found;
+    }
+    answer.pairs.push_back(pair);
+  }
+  return answer;
+}
+
+}  // namespace taut::internal

@@ -1,0 +1,65 @@
+// Queries about bodies with curves. Each is answered twice: for polygons around the bodies, and for polygons within
+// them. The true answer lies between. If the two answers differ by more than the tolerance, polygons are refined near
+// the cause of the difference, and the query is repeated.
+#pragma once
+
+#include "scene/curved_world.hpp"
+#include "taut/check.hpp"
+#include "taut/clearance.hpp"
+#include "taut/intervals.hpp"
+#include "taut/separate.hpp"
+
+namespace taut::internal {
+
+Answer check_curved(const Scene& scene, const CheckOptions& options);
+
+/// A first contact, and the bands between whose walls it was found, for use in pictures.
+struct CurvedContact {
+  Answer answer;
+  CurvedWorld world;
+};
+/// Like check_curved(), without `fit` and `all_pairs`.
+CurvedContact first_contact_of_curves(const Scene& scene, const CheckOptions& options);
+
+/// Whether bodies keep a clearance, and the bands between whose walls this was found.
+struct CurvedMargin {
+  MarginAnswer answer;
+  CurvedWorld world;
+};
+/// Like check_clearance_of_curves(), without `all_pairs`.
+CurvedMargin margin_of_curves(const Scene& scene, double clearance, const CheckOptions& options);
+
+Clearance clearance_of_curves(const Scene& scene, const ClearanceOptions& options);
+DistanceProfile distance_profile_of_curves(const Scene& scene, const ProfileOptions& options);
+MarginAnswer check_clearance_of_curves(const Scene& scene, double clearance, const CheckOptions& options);
+Intervals intervals_of_curves(const Scene& scene, const CheckOptions& options);
+/// Sets the outcome of an answer that has its intervals and its undecided pairs.
+void conclude(Intervals& answer);
+Separation separate_curves(const Scene& scene, const SeparateOptions& options);
+
+/// The curves of distance_profile() with only their instants. Requires polygons and valid options.
+DistanceProfile distances_at_instants(const Scene& scene, const ProfileOptions& options);
+
+/// The largest coordinate of any curve.
+double largest_size(const CurvedWorld& world);
+
+/// The scene of two bodies, including all their parents, with all other pairs ignored. `ids` receives the bodies'
+/// numbers in the whole scene.
+Scene scene_of_pair(const Scene& scene, const std::array<BodyId, 2>& pair, std::vector<BodyId>& ids);
+
+/// A limit of the number of cells, beyond which a query is abandoned: curves that run along each other for a while
+/// would never end.
+class RefinementLimit {
+ public:
+  explicit RefinementLimit(const CurvedWorld& world) : most_(4 * world.segments() + 30000) {}
+  bool reached(const CurvedWorld& world) const { return world.segments() > most_; }
+  std::uint64_t most() const { return most_; }
+
+ private:
+  std::uint64_t most_;
+};
+
+/// Refines the marked cells: a little if there are many, further if there are few.
+bool refine_marked(CurvedWorld& world, CurvedWorld::Halvings marks, std::size_t count);
+
+}  // namespace taut::internal

@@ -1,0 +1,144 @@
+// The directions in which bodies with curves can leave each other.
+#include <algorithm>
+#include <cmath>
+
+#include "query/curved_questions.hpp"
+#include "query/near_cells.hpp"
+#include "solver/run.hpp"
+
+namespace taut::internal {
+namespace {
+
+/// The tolerance, in degrees, for the directions that end a free arc.
+constexpr double direction_tolerance = 1e-7;
+
+const std::string too_fine =
+    "whether bodies can leave in some directions, or overlap already, is finer than doubles resolve curves: taut "
+    "flatten "
+    "--inner, or --outer, makes polygons, about which it is decided";
+
+/// The difference of two directions, also across 360 degrees.
+double between_degrees(double a, double b) {
+  const double d = std::fabs(a - b);
+  return std::min(d, 360 - d);
+}
+
+/// Brackets the free directions between those of polygons around the bodies, which are certainly free, and those of
+/// polygons within.
+class CurvedSeparation {
+ public:
+  CurvedSeparation(const Scene& scene, const SeparateOptions& options)
+      : options_(options), began_(std::chrono::steady_clock::now()), world_(scene), limit_(world_) {}
+
+  Separation run() {
+    for (;;) {
+      Separation outer = ask(CurveSide::outer), inner = ask(CurveSide::inner);
+      if (!outer.reason.empty()) return outer;
+      if (!inner.reason.empty() || inner.overlap) return inner;
+      CurvedWorld::Halvings marks = world_.no_halvings();
+      std::size_t count = 0;
+      const bool alike = !outer.overlap && same_arcs(outer, inner);
+      if (alike && widest(outer, inner) <= direction_tolerance) return concluded(outer, inner);
+      if (outer.overlap) count += mark_near(world_, *outer.overlap, world_.scene().start, 0, marks);
+      count += mark(CurveSide::outer, outer, marks) + mark(CurveSide::inner, inner, marks);
+      if (count > 0 && !limit_.reached(world_) && refine_marked(world_, std::move(marks), count)) continue;
+      if (alike) return concluded(outer, inner);
+      outer.outcome = SeparationOutcome::undecided;
+      outer.reason = too_fine;
+      return outer;
+    }
+  }
+
+ private:
+  Separation ask(CurveSide side) const {
+    SeparateOptions options = options_;
+    options.limits.max_seconds = time_left(options.limits.max_seconds, began_);
+    Separation answer = separate(world_.polygons(side), options);
+    answer.geometry = CurveGeometry{world_.tolerance(), world_.segments()};
+    return answer;
+  }
+
+  static bool same_arcs(const Separation& outer, const Separation& inner) {
+    for (std::size_t i = 0; i < outer.bodies.size(); ++i) {
+      if (outer.bodies[i].free.size() != inner.bodies[i].free.size()) return false;
+      if (outer.bodies[i].all != inner.bodies[i].all) return false;
+    }
+    return true;
+  }
+
+  static double widest(const Separation& outer, const Separation& inner) {
+    double most = 0;
+    for (std::size_t i = 0; i < outer.bodies.size(); ++i) {
+      for (std::size_t k = 0; k < outer.bodies[i].free.size(); ++k) {
+        const DirectionArc &a = outer.bodies[i].free[k], &b = inner.bodies[i].free[k];
+        most = std::max({most, between_degrees(a.from.hi, b.from.lo), between_degrees(a.to.lo, b.to.hi)});
+      }
+    }
+    return most;
+  }
+
+  std::size_t mark(CurveSide side, const Separation& answer, CurvedWorld::Halvings& marks) const {
+    std::size_t count = 0;
+    for (const BodyDirections& body : answer.bodies) {
+      for (const DirectionArc& arc : body.free) {
+        for (const auto& ends : {arc.from_vertices, arc.to_vertices}) {
+          if (!ends) continue;
+          for (const VertexRef& vertex : *ends) count += world_.mark_vertex(side, vertex, marks);
+        }
+        for (const auto& end : {arc.from_reach, arc.to_reach}) {
+          if (!end) continue;
+          const EdgeRef& e = end->edge;
+          count += world_.mark_vertex(side, end->vertex, marks);
+          count += world_.mark_vertex(side, {e.body, e.index, e.part, e.ring}, marks);
+        }
+      }
+    }
+    return count;
+  }
+
+  /// The result: the arcs of polygons around the bodies, which are certainly free, and enclosures of the true ends.
+  Separation concluded(Separation outer, const Separation& inner) const {
+    const auto name = [&](std::optional<std::array<VertexRef, 2>>& ends) {
+      if (!ends) return;
+      for (VertexRef& vertex : *ends) world_.name_curve(CurveSide::outer, vertex);
+    };
+    const auto name_reach = [&](std::optional<VertexAtEdge>& end) {
+      if (!end) return;
+      world_.name_curve(CurveSide::outer, end->vertex);
+      world_.name_curve(CurveSide::outer, end->edge);
+    };
+    const auto name_ends = [&](DirectionArc& arc) {
+      name(arc.from_vertices);
+      name(arc.to_vertices);
+      name_reach(arc.from_reach);
+      name_reach(arc.to_reach);
+    };
+    for (std::size_t i = 0; i < outer.bodies.size(); ++i) {
+      for (std::size_t k = 0; k < outer.bodies[i].free.size(); ++k) {
+        DirectionArc& arc = outer.bodies[i].free[k];
+        const DirectionArc& wider = inner.bodies[i].free[k];
+        if (!outer.bodies[i].all) {
+          // Not across 0: there an end is as exact as that of the polygons.
+          if (wider.from.lo <= arc.from.lo && arc.from.lo - wider.from.lo < 1) arc.from.lo = wider.from.lo;
+          if (wider.to.hi >= arc.to.hi && wider.to.hi - arc.to.hi < 1) arc.to.hi = wider.to.hi;
+        }
+        name_ends(arc);
+      }
+    }
+    for (RemovalStep& step : outer.order) name_ends(step.free);
+    return outer;
+  }
+
+  const SeparateOptions& options_;
+  std::chrono::steady_clock::time_point began_;
+  CurvedWorld world_;
+  RefinementLimit limit_;
+};
+
+}  // namespace
+
+Separation separate_curves(const Scene& scene, const SeparateOptions& options) {
+  return CurvedSeparation(scene, options).run();
+}
+
+}  // namespace taut::internal

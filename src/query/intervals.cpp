@@ -1,0 +1,156 @@
+#include "taut/intervals.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "numeric/budget.hpp"
+#include "numeric/errors.hpp"
+#include "numeric/progress.hpp"
+#include "numeric/undecided.hpp"
+#include "query/curved_questions.hpp"
+#include "scene/near_stretches.hpp"
+#include "scene/untested.hpp"
+#include "scene/validate_scene.hpp"
+#include "solver/overlap_intervals.hpp"
+#include "solver/run.hpp"
+#include "taut/error.hpp"
+
+namespace taut {
+using namespace internal;
+namespace {
+
+void search_pair(const Instance& instance, int a, int b, const std::vector<TimeInterval>& near, Offset offset,
+                 bool plain, Intervals& answer) {
+  const std::string stopped = what_stops([&] {
+    for (OverlapInterval& found : overlap_intervals(instance, a, b, near, offset, plain))
+      answer.intervals.push_back(std::move(found));
+  });
+  if (!stopped.empty()) answer.undecided.push_back({{a, b}, Outcome::undecided, {}, instance.start(), stopped});
+}
+
+}  // namespace
+
+}  // namespace taut
+
+namespace taut::internal {
+
+void conclude(Intervals& answer) {
+  if (!answer.undecided.empty()) {
+    answer.outcome = Outcome::undecided;
+    answer.reason = answer.undecided.front().reason;
+  } else if (!answer.intervals.empty()) {
+    answer.outcome = Outcome::contact;
+  }
+}
+
+}  // namespace taut::internal
+
+namespace taut {
+using namespace internal;
+
+Intervals intervals(const Scene& scene, const CheckOptions& options) {
+  if (has_curves(scene)) return intervals_of_curves(scene, options);
+  // Limits start with the first pair, so that interruptions are reported pair by pair.
+  validate_polygons(scene);
+  const Instance instance(scene);
+  const NearStretches near(instance);
+  // A single pair is searched over the whole time in one pass.
+  const std::vector<TimeInterval> throughout{{instance.start(), instance.end()}};
+  const bool single = scene.bodies.size() == 2;
+  const Budget scope(options.limits);
+  Intervals answer;
+  answer.coverage = instance.coverage(near.pairs().size());
+  if (answer.coverage.is_empty()) {
+    answer.outcome = Outcome::untested;
+    answer.reason = why_untested(answer.coverage);
+    return answer;
+  }
+  std::uint64_t searched = 0;
+  for (const auto& [pair, stretches] : near.pairs()) {
+    report_parts("pairs", searched++, near.pairs().size());
+    search_pair(instance, pair.first, pair.second, single ? throughout : stretches, offset_for(options.touch), single,
+                answer);
+  }
+  conclude(answer);
+  return answer;
+}
+
+namespace {
+
+/// All intervals in a part of the scene's time.
+Intervals intervals_within(const Scene& scene, double start, double end, const CheckOptions& options) {
+  Scene part = scene;
+  part.start = start;
+  part.end = end;
+  return intervals(part, options);
+}
+
+[[noreturn]] void refuse_overlap(const Scene& scene, const OverlapInterval& o) {
+  const auto name = [&](BodyId id) { return scene.bodies[static_cast<std::size_t>(id)].name; };
+  throw InputError("from", name(o.pair[0]) + " and " + name(o.pair[1]) + " overlap at that instant",
+                   "choose one at which no bodies do: `taut intervals` lists when they do");
+}
+
+}  // namespace
+
+namespace {
+
+/// Combines both halves: the coarser tolerance, and the larger number of edges.
+std::optional<CurveGeometry> geometry_of_range(const std::optional<CurveGeometry>& before,
+                                               const std::optional<CurveGeometry>& after) {
+  if (!before || !after) return before ? before : after;
+  return CurveGeometry{std::max(before->tolerance, after->tolerance), std::max(before->segments, after->segments)};
+}
+
+/// The coverage for the whole time: a pair may be at rest, and not be tested, on one side of the instant only.
+Coverage coverage_of_range(const Scene& scene, const Intervals& before, const Intervals& after) {
+  const Instance instance(has_curves(scene) ? CurvedWorld(scene).polygons(CurveSide::outer) : scene);
+  return instance.coverage(
+      std::min(instance.coverage(0).apart, std::max(before.coverage.tested, after.coverage.tested)));
+}
+
+}  // namespace
+
+/// Time is divided at t, so that each half determines whether bodies overlap at that instant. Ends of intervals may be
+/// brackets that contain it, and bodies that separate and meet again there do both in one double.
+Range range(const Scene& scene, double t, const CheckOptions& options) {
+  if (!(t >= scene.start && t <= scene.end))
+    throw InputError("from", "the instant is outside of the scene's time", "choose one within");
+  const auto began = std::chrono::steady_clock::now();
+  Intervals before, after = intervals_within(scene, t, scene.end, options);
+  if (t > scene.start) {
+    CheckOptions rest = options;
+    rest.limits.max_seconds = time_left(rest.limits.max_seconds, began);
+    before = intervals_within(scene, scene.start, t, rest);
+  }
+  Range range;
+  range.geometry = geometry_of_range(before.geometry, after.geometry);
+  range.coverage = coverage_of_range(scene, before, after);
+  if (range.coverage.is_empty()) {
+    range.outcome = Outcome::untested;
+    range.reason = why_untested(range.coverage);
+    return range;
+  }
+  for (const Intervals* half : {&after, &before}) {
+    if (half->outcome != Outcome::undecided) continue;
+    range.reason = half->reason;
+    return range;
+  }
+  range.outcome = Outcome::free;
+  for (const OverlapInterval& o : before.intervals) {
+    if (!o.exit) refuse_overlap(scene, o);
+    if (range.from && o.to.hi <= range.from->hi) continue;
+    range.from = o.to;
+    range.before = o;
+  }
+  for (const OverlapInterval& o : after.intervals) {
+    if (!o.enter) refuse_overlap(scene, o);
+    if (range.to && o.from.lo >= range.to->lo) continue;
+    range.to = o.from;
+    range.after = o;
+  }
+  return range;
+}
+
+}  // namespace taut

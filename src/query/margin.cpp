@@ -1,0 +1,232 @@
+// Whether bodies keep a clearance, and the first time at which they do not.
+#include <algorithm>
+#include <cmath>
+
+#include "certificate/feature_map.hpp"
+#include "numeric/budget.hpp"
+#include "numeric/errors.hpp"
+#include "numeric/progress.hpp"
+#include "numeric/undecided.hpp"
+#include "query/curved_questions.hpp"
+#include "query/nearest_points.hpp"
+#include "scene/pairs_in_reach.hpp"
+#include "scene/untested.hpp"
+#include "scene/validate_scene.hpp"
+#include "spacetime/clearance.hpp"
+#include "spacetime/margin.hpp"
+#include "taut/clearance.hpp"
+
+namespace taut {
+using namespace internal;
+namespace {
+
+using spacetime::MarginResult;
+
+class MarginSearch {
+ public:
+  MarginSearch(const Scene& scene, double clearance, const CheckOptions& options)
+      : options_(options),
+        instance_(scene),
+        clearance_(clearance),
+        margin_(std::ldexp(clearance, instance_.exponent())),
+        offset_(offset_for(options.touch)),
+        stop_(instance_.end()) {
+    answer_.free_until = instance_.end();
+  }
+
+  MarginAnswer run() {
+    if (instance_.coverage(0).is_empty()) return untested();
+    const std::vector<std::pair<int, int>> near = CoarseBoxes(instance_).pairs_within(margin_);
+    answer_.coverage = instance_.coverage(near.size());
+    std::uint64_t asked = 0;
+    for (const auto& [a, b] : near) {
+      checkpoint();
+      report_parts("pairs", asked++, near.size());
+      ask(a, b);
+    }
+    take_first();
+    return std::move(answer_);
+  }
+
+ private:
+  MarginAnswer untested() {
+    answer_.outcome = Outcome::untested;
+    answer_.coverage = instance_.coverage(0);
+    answer_.reason = why_untested(answer_.coverage);
+    answer_.free_until = instance_.start();
+    return std::move(answer_);
+  }
+
+  void ask(int a, int b) {
+    PairMargin pair;
+    pair.bodies = {a, b};
+    pair.free_until = instance_.end();
+    resolve(PairInstance(instance_, a, b, offset_), pair);
+    if (options_.all_pairs) answer_.pairs.push_back(pair);
+    if (pair.outcome == Outcome::free) return;
+    // Other pairs are followed a little further, so that those that come closer at the same time are detected.
+    const double room = 0x1p-30 * (instance_.end() - instance_.start());
+    if (pair.outcome == Outcome::contact && !options_.all_pairs) stop_ = std::min(stop_, pair.time.hi + room);
+    events_.push_back(std::move(pair));
+  }
+
+  void resolve(const PairInstance& search, PairMargin& pair) const {
+    try {
+      if (spacetime::overlapping(search.geometry, search.trees(), search.segments()[0], instance_.start())) {
+        pair.outcome = Outcome::overlap_at_start;
+        pair.free_until = instance_.start();
+        return;
+      }
+    } catch (const Undecidable& limit) {
+      pair.outcome = Outcome::undecided;
+      pair.reason = not_decided(limit);
+      pair.free_until = instance_.start();
+      return;
+    }
+    take(search,
+         spacetime::first_closer(search.geometry, search.trees(), search.segments(), margin_, {-INFINITY, stop_}),
+         pair);
+  }
+
+  void take(const PairInstance& search, const MarginResult& found, PairMargin& pair) const {
+    if (found.outcome == MarginResult::free) return;
+    const MotionSegment& segment = search.segments()[found.segment];
+    const auto time_at = [&](double t) { return std::clamp(segment.time(t), instance_.start(), instance_.end()); };
+    pair.free_until = time_at(found.lo);
+    if (found.outcome == MarginResult::undecided) {
+      pair.outcome = Outcome::undecided;
+      pair.reason = found.reason;
+      return;
+    }
+    if (found.at_once && found.lo <= instance_.start()) return take_start(search, found, pair);
+    const ContactBracket bracket = bracket_of(search, found);
+    pair.outcome = Outcome::contact;
+    pair.time = {time_at(bracket.lo), time_at(bracket.hi)};
+    pair.grazing = bracket.grazing;
+    pair.free_until = pair.time.lo;
+    name_features(search, found, pair);
+  }
+
+  /// Like a contact at the start: bodies displaced outwards are as close as the margin if the given ones are, those
+  /// displaced inwards only if the given ones are closer.
+  void take_start(const PairInstance& search, const MarginResult& found, PairMargin& pair) const {
+    const double start = instance_.start();
+    if (offset_ == Offset::outward) {
+      const PairInstance smaller(instance_, pair.bodies[0], pair.bodies[1], Offset::inward);
+      const MarginResult closer =
+          spacetime::first_closer(smaller.geometry, smaller.trees(), smaller.segments(), margin_, {start, start});
+      if (closer.outcome == MarginResult::undecided) {
+        pair.outcome = Outcome::undecided;
+        pair.reason = closer.reason;
+        return;
+      }
+      if (closer.outcome == MarginResult::free) {
+        pair.outcome = Outcome::contact;
+        pair.time = {start, start};
+        name_features(search, found, pair);
+        return;
+      }
+    }
+    pair.outcome = Outcome::overlap_at_start;
+    pair.nearest = nearest_at_start(search);
+  }
+
+  ContactBracket bracket_of(const PairInstance& search, const MarginResult& found) const {
+    const std::optional<PairGeometry> other = displaced_pair_if_possible(search.bodies, opposite(offset_));
+    const MotionSegment& segment = search.segments()[found.segment];
+    if (found.at_once) return {found.lo, found.hi, false};
+    if (!other)
+      return {offset_ == Offset::inward ? segment.start : found.lo, offset_ == Offset::inward ? found.hi : segment.end,
+              true};
+    const spacetime::PreciseApproaches here(search.geometry, segment, margin_), there(*other, segment, margin_);
+    return bracket_of_sides(
+        found.lo, found.hi, offset_, segment, [&](double t) { return here.side(found.pair, t); },
+        [&](double t) { return there.side(found.pair, t); });
+  }
+
+  void name_features(const PairInstance& search, const MarginResult& found, PairMargin& pair) const {
+    const VertexId vertex = found.pair.vertex, peer = found.pair.peer;
+    const bool first = search.geometry.in_p(vertex);
+    NearestPoints nearest =
+        nearest_points_of(search, found.segment, found.hi, first ? vertex : peer, first ? peer : vertex);
+    nearest.hi = clearance_;
+    nearest.time = {pair.time.hi, pair.time.hi};
+    pair.nearest = nearest;
+    const FeatureMap witness(search.bodies, search.geometry, offset_);
+    CloseFeatures features;
+    features.vertex = witness.vertex(vertex);
+    if (found.pair.is_edge) {
+      features.edge = witness.edge(peer);
+    } else {
+      features.other = witness.vertex(peer);
+    }
+    pair.features = features;
+  }
+
+  NearestPoints nearest_at_start(const PairInstance& search) const {
+    spacetime::Nearest found;
+    // Not the margin, which may be below the resolution of doubles.
+    found.distance = INFINITY;
+    spacetime::find_nearest_within(search.geometry, search.trees(), search.segments(), instance_.start(),
+                                   instance_.start(), {1e-9, 0}, found);
+    NearestPoints nearest = nearest_points_of(search, found.segment, found.parameter, found.edge_p, found.edge_q);
+    nearest.hi = std::ldexp(found.distance, -instance_.exponent());
+    nearest.time = {instance_.start(), instance_.start()};
+    return nearest;
+  }
+
+  /// Takes the first event, and those that are unordered with it.
+  void take_first() {
+    if (events_.empty()) return;
+    const auto rank = [](const PairMargin& p) {
+      return std::pair(p.outcome != Outcome::overlap_at_start, p.free_until);
+    };
+    const auto first = std::min_element(events_.begin(), events_.end(),
+                                        [&](const PairMargin& x, const PairMargin& y) { return rank(x) < rank(y); });
+    const auto together = [&](const PairMargin& p) {
+      if (p.outcome != first->outcome) return false;
+      return p.outcome == Outcome::overlap_at_start ||
+             (p.outcome == Outcome::contact && p.time.lo <= first->time.hi && first->time.lo <= p.time.hi);
+    };
+    answer_.outcome = first->outcome;
+    answer_.free_until = first->free_until;
+    answer_.reason = first->reason;
+    for (const PairMargin& pair : events_) {
+      if (&pair != &*first && !together(pair)) continue;
+      if (answer_.first) {
+        answer_.also.push_back(pair);
+      } else {
+        answer_.first = pair;
+      }
+    }
+  }
+
+  const CheckOptions& options_;
+  Instance instance_;
+  double clearance_, margin_;  ///< in the scene's units, and in internal units
+  Offset offset_;
+  double stop_;
+  std::vector<PairMargin> events_;
+  MarginAnswer answer_;
+};
+
+}  // namespace
+
+MarginAnswer check_clearance(const Scene& scene, double clearance, const CheckOptions& options) {
+  if (!(clearance > 0 && std::isfinite(clearance)))
+    throw InputError("clearance", "it is not a positive number", "check() asks whether bodies touch");
+  if (has_curves(scene)) return check_clearance_of_curves(scene, clearance, options);
+  const Budget scope(options.limits);
+  MarginAnswer answer;
+  try {
+    validate_polygons(scene);
+    return MarginSearch(scene, clearance, options).run();
+  } catch (const Interrupted& limit) {
+    answer.reason = limit.reason;
+  }
+  answer.outcome = Outcome::undecided;
+  answer.free_until = scene.start;
+  return answer;
+}
+
+}  // namespace taut

@@ -1,0 +1,14 @@
+// Two edges that are near each other, in the user's terms.
+#pragma once
+
+#include "solver/pair_instance.hpp"
+#include "taut/clearance.hpp"
+
+namespace taut::internal {
+
+/// The pair, the edges and their nearest points at that parameter of a segment. The points are rounded world
+/// coordinates. The caller sets the distance and the time.
+NearestPoints nearest_points_of(const PairInstance& search, std::size_t segment, double parameter, VertexId edge_p,
+                                VertexId edge_q);
+
+}  // namespace taut::internal

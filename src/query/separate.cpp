@@ -1,0 +1,184 @@
+#include "taut/separate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "numeric/budget.hpp"
+#include "numeric/errors.hpp"
+#include "numeric/progress.hpp"
+#include "numeric/undecided.hpp"
+#include "query/curved_questions.hpp"
+#include "scene/untested.hpp"
+#include "scene/validate_scene.hpp"
+#include "solver/free_directions.hpp"
+#include "solver/pair_instance.hpp"
+#include "taut/error.hpp"
+
+namespace taut {
+using namespace internal;
+namespace {
+
+class SeparationSearch {
+ public:
+  SeparationSearch(const Scene& scene, double travel) : instance_(scene), ignored_(scene), travel_(travel) {
+    for (const InstanceBody& body : instance_.bodies()) {
+      standing_.push_back(std::make_unique<const StandingBody>(
+          StandingBody{VerticesAtPose(body, instance_.start(), Offset::inward), tree_of(*body.rings, Offset::inward)}));
+      left_.push_back(static_cast<int>(left_.size()));
+    }
+  }
+
+  /// The bodies stand still, so it does not matter which of them move alike later.
+  Coverage coverage() const {
+    Coverage coverage = instance_.coverage(0);
+    coverage.tested = coverage.pairs - coverage.ignored;
+    coverage.apart = coverage.at_rest = coverage.moving_alike = 0;
+    return coverage;
+  }
+
+  Separation run() {
+    Separation answer;
+    answer.coverage = coverage();
+    if (answer.coverage.is_empty()) {
+      answer.outcome = SeparationOutcome::untested;
+      answer.reason = why_untested(answer.coverage);
+      return answer;
+    }
+    answer.overlap = overlap();
+    const int n = static_cast<int>(standing_.size());
+    if (!answer.overlap) {
+      for (int body = n == 2 ? 1 : 0; body < n; ++body) {
+        report_parts("bodies", answer.bodies.size(), standing_.size());
+        answer.bodies.push_back(directions(body));
+      }
+      if (n > 2) take_apart(answer);
+    }
+    answer.outcome = answer.overlap      ? SeparationOutcome::overlap_at_start
+                     : is_locked(answer) ? SeparationOutcome::locked
+                                         : SeparationOutcome::free;
+    return answer;
+  }
+
+ private:
+  static bool is_locked(const Separation& answer) {
+    return answer.bodies.size() == 1 ? answer.bodies[0].free.empty() : !answer.stuck.empty();
+  }
+
+  std::optional<std::array<BodyId, 2>> overlap() const {
+    const int n = static_cast<int>(standing_.size());
+    for (int a = 0; a < n; ++a) {
+      report_parts("bodies held against the others", static_cast<std::uint64_t>(a), standing_.size());
+      for (int b = a + 1; b < n; ++b) {
+        checkpoint();
+        if (ignored_.has(a, b)) continue;
+        const PairInstance pair(instance_, a, b, Offset::inward);
+        if (spacetime::overlapping(pair.geometry, pair.trees(), pair.segments()[0], instance_.start()))
+          return std::array<BodyId, 2>{a, b};
+      }
+    }
+    return std::nullopt;
+  }
+
+  /// The directions of a body relative to all that are left.
+  BodyDirections directions(int body) const {
+    FreeDirections search(*standing_[static_cast<std::size_t>(body)], std::ldexp(travel_, instance_.exponent()));
+    std::vector<int> others;
+    for (const int other : left_) {
+      if (other == body || ignored_.has(body, other)) continue;
+      others.push_back(other);
+      search.add(*standing_[static_cast<std::size_t>(other)]);
+    }
+    BodyDirections found;
+    found.body = body;
+    found.all = search.all_free();
+    if (found.all) {
+      found.free.emplace_back();
+      return found;
+    }
+    for (const VertexArc& arc : search.free()) found.free.push_back(arc_of(body, others, search, arc));
+    return found;
+  }
+
+  DirectionArc arc_of(int body, const std::vector<int>& others, const FreeDirections& search,
+                      const VertexArc& arc) const {
+    const auto rings = [&](int index) -> const RingSet& {
+      return *instance_.bodies()[static_cast<std::size_t>(index)].rings;
+    };
+    const auto vertices = [&](const VertexDirection& d) -> std::optional<std::array<VertexRef, 2>> {
+      if (d.kind != VertexDirection::Kind::vertices) return std::nullopt;
+      const RingSet& other = rings(others[static_cast<std::size_t>(d.other)]);
+      return std::array<VertexRef, 2>{rings(body).vertex(d.from), other.vertex(d.to)};
+    };
+    const auto reach = [&](const VertexDirection& d) -> std::optional<VertexAtEdge> {
+      if (d.kind == VertexDirection::Kind::vertices) return std::nullopt;
+      const RingSet &own = rings(body), &other = rings(others[static_cast<std::size_t>(d.other)]);
+      if (d.kind == VertexDirection::Kind::to_edge) return VertexAtEdge{own.vertex(d.from), other.edge(d.to)};
+      return VertexAtEdge{other.vertex(d.to), own.edge(d.from)};
+    };
+    const auto [from_lo, from_hi] = search.degrees(arc.from);
+    const auto [to_lo, to_hi] = search.degrees(arc.to);
+    return {{from_lo, from_hi}, {to_lo, to_hi},  search.is_point(arc), vertices(arc.from),
+            vertices(arc.to),   reach(arc.from), reach(arc.to)};
+  }
+
+  /// A body that can leave can also leave later, because fewer bodies block it. So the first one that can leave is as
+  /// good as any other.
+  void take_apart(Separation& answer) {
+    const std::size_t all = left_.size();
+    while (left_.size() > 1) {
+      report_parts("bodies taken away", all - left_.size(), all);
+      bool taken = false;
+      for (std::size_t i = 0; i < left_.size() && !taken; ++i) {
+        const BodyDirections can = directions(left_[i]);
+        if (can.free.empty()) continue;
+        answer.order.push_back(step_of(can));
+        left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(i));
+        taken = true;
+      }
+      if (taken) continue;
+      answer.stuck.assign(left_.begin(), left_.end());
+      return;
+    }
+  }
+
+  /// The removal along its widest arc.
+  static RemovalStep step_of(const BodyDirections& can) {
+    const auto width = [](const DirectionArc& arc) {
+      if (arc.point) return 0.0;
+      const double w = arc.to.lo - arc.from.hi;
+      return w > 0 ? w : w + 360;
+    };
+    const DirectionArc& widest =
+        *std::max_element(can.free.begin(), can.free.end(),
+                          [&](const DirectionArc& a, const DirectionArc& b) { return width(a) < width(b); });
+    const double middle = can.all ? 0 : widest.from.hi + width(widest) / 2;
+    return {can.body, widest, middle >= 360 ? middle - 360 : middle};
+  }
+
+  Instance instance_;
+  IgnoredPairs ignored_;
+  double travel_;
+  std::vector<std::unique_ptr<const StandingBody>> standing_;
+  std::vector<int> left_;  ///< bodies that have not been removed
+};
+
+}  // namespace
+
+Separation separate(const Scene& scene, const SeparateOptions& options) {
+  if (!(options.travel > 0))
+    throw InputError("travel", "bodies move farther than nothing", "give a length > 0, or none for any distance");
+  if (has_curves(scene)) return separate_curves(scene, options);
+  const Budget scope(options.limits);
+  Separation answer;
+  const std::string stopped = what_stops([&] {
+    validate_polygons(scene);
+    SeparationSearch search(scene, options.travel);
+    answer.coverage = search.coverage();
+    answer = search.run();
+  });
+  if (!stopped.empty()) answer.reason = stopped;
+  return answer;
+}
+
+}  // namespace taut

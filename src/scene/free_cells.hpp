@@ -1,0 +1,62 @@
+// Where in a map there certainly is something, or nothing, in cells: most questions about what lies inside what end
+// here.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "scene/box_tree.hpp"
+#include "scene/instance.hpp"
+
+namespace taut::internal {
+
+/// A grid over bodies at rest. A cell is free if no boundary comes near it and no body is around its middle, covered if
+/// one is. Boundaries
+/// are drawn wider by far more than rounding and the displacement, so that this holds for both readings of touching.
+class FreeCells {
+ public:
+  /// Throws InputError where a body has features that are finer than the displacement.
+  explicit FreeCells(const std::vector<SharedRings>& bodies);
+
+  enum class Cell : std::uint8_t { mixed, free, covered };
+  /// `free`: the point is certainly outside of all bodies. `covered`: certainly inside of one. Internal coordinates.
+  Cell at(double x, double y) const {
+    if (!(x > lo_x_ && x < hi_x_ && y > lo_y_ && y < hi_y_))
+      return x < lo_x_ || x > hi_x_ || y < lo_y_ || y > hi_y_ ? Cell::free : Cell::mixed;
+    const auto i = static_cast<std::size_t>((x - lo_x_) * per_cell_);
+    const auto j = static_cast<std::size_t>((y - lo_y_) * per_cell_);
+    return i < width_ && j < height_ ? cells_[j * width_ + i] : Cell::mixed;
+  }
+  /// Adds the bodies of which an outline has its first vertex in the box, in order.
+  void outlines_in(const SweptBox& box, std::vector<int>& bodies) const;
+
+ private:
+  struct BoundaryEdge {
+    double ax, ay, bx, by;
+  };
+  void draw(const BoundaryEdge& edge);
+  void fill(const std::vector<BoundaryEdge>& edges);
+
+  double lo_x_ = 0, lo_y_ = 0, hi_x_ = 0, hi_y_ = 0, cell_ = 1, per_cell_ = 1;
+  std::size_t width_ = 0, height_ = 0;
+  std::vector<Cell> cells_;
+  BoxTree outlines_;
+  std::vector<int> outline_of_;
+};
+
+/// Made when first asked for, by one thread.
+class FreeCellsOnce {
+ public:
+  const FreeCells& of(const std::vector<SharedRings>& bodies) {
+    std::call_once(made_, [&] { cells_ = std::make_unique<const FreeCells>(bodies); });
+    return *cells_;
+  }
+
+ private:
+  std::once_flag made_;
+  std::unique_ptr<const FreeCells> cells_;
+};
+
+}  // namespace taut::internal

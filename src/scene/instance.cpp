@@ -1,0 +1,218 @@
+#include "scene/instance.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <unordered_map>
+
+#include "motion/pieces.hpp"
+#include "taut/shape.hpp"
+
+namespace taut::internal {
+namespace {
+
+/// A number that is the same for the same motions, and seldom for others: where a point is taken at some time.
+double key_of(const MotionChain& chain) {
+  double sum = 0;
+  for (const PieceList& pieces : chain) {
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      const MotionPiece piece = pieces[i];
+      for (const Coefficients* c : {&piece.x, &piece.y}) {
+        sum *= 0.6180339887498949;
+        double value = 0;
+        for (std::size_t k = c->size(); k-- > 0;) value = value * 0.3819660112501051 + (*c)[k];
+        sum += value;
+      }
+    }
+  }
+  return std::isfinite(sum) ? sum : 0;
+}
+
+bool same_chain(const MotionChain& a, const MotionChain& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), same_pieces);
+}
+
+std::uint64_t pairs_of(std::uint64_t n) { return n < 2 ? 0 : n * (n - 1) / 2; }
+
+}  // namespace
+
+Instance::Instance(const Scene& scene) : start_(scene.start), end_(scene.end), ignored_(scene) {
+  add_bodies(scene);
+  find_groups();
+  tests_groups_ = scene.at_rest == AtRest::test || all_alike();
+}
+
+void Instance::add_bodies(const Scene& scene) {
+  double largest = 0;
+  for (const Body& body : scene.bodies) largest = std::max(largest, largest_coordinate(body));
+  std::frexp(largest, &exponent_);
+  exponent_ = -exponent_;
+  largest_ = std::ldexp(largest, exponent_);
+  bodies_.reserve(scene.bodies.size());
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    InstanceBody body;
+    body.rings = std::make_shared<const RingSet>(scene.bodies[i], static_cast<int>(i), exponent_);
+    const PieceList own = PieceList::between(scene.bodies[i].motion, start_, end_, exponent_);
+    if (!own.rests()) body.own = own;
+    bodies_.push_back(std::move(body));
+  }
+  find_parents(scene);
+  children_.resize(bodies_.size());
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    bodies_[i].motions = chain_of(static_cast<int>(i));
+    if (bodies_[i].parent >= 0) children_[static_cast<std::size_t>(bodies_[i].parent)].push_back(static_cast<int>(i));
+  }
+}
+
+void Instance::find_parents(const Scene& scene) {
+  const auto has_parent = [](const Body& body) { return !body.relative_to.empty(); };
+  if (std::none_of(scene.bodies.begin(), scene.bodies.end(), has_parent)) return;
+  const std::map<std::string, int> by_name = bodies_by_name(scene);
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    if (has_parent(scene.bodies[i])) bodies_[i].parent = by_name.at(scene.bodies[i].relative_to);
+  }
+}
+
+MotionChain Instance::chain_of(int body) const {
+  MotionChain chain;
+  for (int k = body; k >= 0; k = bodies_[static_cast<std::size_t>(k)].parent) {
+    const PieceList& own = bodies_[static_cast<std::size_t>(k)].own;
+    if (!own.empty()) chain.insert(chain.begin(), own);
+  }
+  return chain;
+}
+
+std::vector<int> Instance::followers(int body) const {
+  std::vector<int> all{body};
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const std::vector<int>& seen = children_[static_cast<std::size_t>(all[i])];
+    all.insert(all.end(), seen.begin(), seen.end());
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+void Instance::replan(int body, const Motion& motion, double t, double from) {
+  PieceList& own = bodies_[static_cast<std::size_t>(body)].own;
+  PieceList fresh = PieceList::between(motion, t, end_, exponent_);
+  if (from < t) fresh = fresh.after(own.empty() ? MotionPiece{} : own.at(from), t);
+  start_ = from;
+  if (!moving_) note_moving();
+  const std::vector<int> changed = followers(body);
+  for (const int k : changed) leave_group(k);
+  own = fresh.rests() ? PieceList() : fresh;
+  for (const int k : changed) bodies_[static_cast<std::size_t>(k)].motions = chain_of(k);
+  for (const int k : changed) join_group(k);
+}
+
+void Instance::note_moving() {
+  moving_.emplace();
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (!bodies_[i].motions.empty()) (*moving_)[key_of(bodies_[i].motions)].push_back(static_cast<int>(i));
+  }
+}
+
+void Instance::leave_group(int body) {
+  const MotionChain& motions = bodies_[static_cast<std::size_t>(body)].motions;
+  if (motions.empty()) return;
+  const auto alike = moving_->find(key_of(motions));
+  std::erase(alike->second, body);
+  if (alike->second.empty()) moving_->erase(alike);
+}
+
+/// That of another body that moves alike, or one of its own.
+void Instance::join_group(int body) {
+  InstanceBody& joining = bodies_[static_cast<std::size_t>(body)];
+  if (joining.motions.empty()) {
+    if (resting_ < 0) resting_ = groups_++;
+    joining.group = resting_;
+    return;
+  }
+  std::vector<int>& alike = (*moving_)[key_of(joining.motions)];
+  const auto same = std::find_if(alike.begin(), alike.end(), [&](int k) {
+    return same_chain(bodies_[static_cast<std::size_t>(k)].motions, joining.motions);
+  });
+  joining.group = same != alike.end() ? bodies_[static_cast<std::size_t>(*same)].group : groups_++;
+  alike.push_back(body);
+}
+
+void Instance::find_groups() {
+  // One body of each group, by the key of its motion.
+  std::unordered_map<double, std::vector<int>> representatives;
+  for (InstanceBody& body : bodies_) {
+    if (body.motions.empty()) {
+      if (resting_ < 0) resting_ = groups_++;
+      body.group = resting_;
+      continue;
+    }
+    const int index = static_cast<int>(&body - bodies_.data());
+    std::vector<int>& alike = representatives[key_of(body.motions)];
+    const auto same = std::find_if(alike.begin(), alike.end(), [&](int r) {
+      return same_chain(bodies_[static_cast<std::size_t>(r)].motions, body.motions);
+    });
+    if (same != alike.end()) {
+      body.group = bodies_[static_cast<std::size_t>(*same)].group;
+    } else {
+      body.group = groups_++;
+      alike.push_back(index);
+    }
+  }
+}
+
+bool Instance::asked(int a, int b) const {
+  const bool together = bodies_[static_cast<std::size_t>(a)].group == bodies_[static_cast<std::size_t>(b)].group;
+  return (!together || tests_groups_) && !ignored_.has(a, b);
+}
+
+/// Does nothing move relative to anything else? Bodies that are ignored altogether, as what carries others, do not
+/// count.
+bool Instance::all_alike() const {
+  int group = -1;
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (ignored_.has_all(static_cast<int>(i))) continue;
+    if (group >= 0 && bodies_[i].group != group) return false;
+    group = bodies_[i].group;
+  }
+  return true;
+}
+
+/// All pairs, and those that are not asked about.
+Coverage Instance::excluded() const {
+  const std::uint64_t n = bodies_.size();
+  std::vector<std::uint64_t> size(static_cast<std::size_t>(groups_), 0);  // of the group, without those that ignore all
+  std::uint64_t listening = 0;
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (ignored_.has_all(static_cast<int>(i))) continue;
+    ++listening;
+    ++size[static_cast<std::size_t>(bodies_[i].group)];
+  }
+  Coverage count;
+  const auto together = [&](int group) -> std::uint64_t& {
+    return group == resting_ ? count.at_rest : count.moving_alike;
+  };
+  count.pairs = pairs_of(n);
+  count.ignored = pairs_of(n) - pairs_of(listening);
+  for (int group = 0; group < groups_; ++group) together(group) += pairs_of(size[static_cast<std::size_t>(group)]);
+  for (const auto& [a, b] : ignored_.pairs()) {
+    if (ignored_.has_all(a) || ignored_.has_all(b)) continue;
+    ++count.ignored;
+    const int group = bodies_[static_cast<std::size_t>(a)].group;
+    if (group == bodies_[static_cast<std::size_t>(b)].group) --together(group);
+  }
+  if (tests_groups_) count.at_rest = count.moving_alike = 0;
+  return count;
+}
+
+Coverage Instance::coverage(std::uint64_t tested) const {
+  Coverage all = excluded();
+  all.tested = tested;
+  all.apart = all.pairs - all.untested() - tested;
+  return all;
+}
+
+BodyPair Instance::pair(int a, int b) const {
+  const InstanceBody &first = bodies_[static_cast<std::size_t>(a)], &second = bodies_[static_cast<std::size_t>(b)];
+  return pair_of(first.rings, first.motions, second.rings, second.motions);
+}
+
+}  // namespace taut::internal

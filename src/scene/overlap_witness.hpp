@@ -1,0 +1,16 @@
+// Bodies that overlap already: a point that shows it.
+#pragma once
+
+#include <optional>
+
+#include "scene/body_pair.hpp"
+
+namespace taut::internal {
+
+/// A point that certainly lies inside both bodies at time t (not within a jump between two pieces), in world
+/// coordinates and in the input's units. The bodies are those that were written, without the displacement. Nothing if
+/// none was found: an overlap can be too thin for two doubles. Linear in the number of vertices, except where the
+/// overlap is small compared with the bodies.
+std::optional<Point> common_point(const BodyPair& bodies, double t);
+
+}  // namespace taut::internal

@@ -1,0 +1,28 @@
+#include "scene/untested.hpp"
+
+namespace taut::internal {
+namespace {
+
+std::string counted(std::uint64_t count, const char* what) {
+  return std::to_string(count) + (count == 1 ? " is " : " are ") + what;
+}
+
+}  // namespace
+
+std::string why_untested(const Coverage& c) {
+  if (c.pairs == 0) return "nothing was tested: the scene has one body; add another one";
+  const std::string pairs = c.pairs == 1 ? "the only pair" : "of " + std::to_string(c.pairs) + " pairs";
+  const std::string start = "nothing was tested: " + pairs;
+  if (c.ignored == c.pairs)
+    return start + (c.pairs == 1 ? " is ignored" : " all are ignored") + R"(; take a pair out of "ignore")";
+  std::string parts;
+  const auto add = [&](std::uint64_t count, const char* what) {
+    if (count > 0) parts += (parts.empty() ? " " : ", ") + counted(count, what);
+  };
+  add(c.ignored, "ignored");
+  add(c.at_rest, "at rest");
+  add(c.moving_alike, "moving alike");
+  return start + parts + R"(; take pairs out of "ignore", or test those at rest with "at_rest": "test")";
+}
+
+}  // namespace taut::internal

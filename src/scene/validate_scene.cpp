@@ -1,0 +1,163 @@
+#include "scene/validate_scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string_view>
+
+#include "geometry/part_validation.hpp"
+#include "geometry/prepared_shape.hpp"
+#include "geometry/shape_facts.hpp"
+#include "motion/pieces.hpp"
+#include "scene/ring_set.hpp"
+#include "taut/error.hpp"
+#include "taut/validate.hpp"
+
+namespace taut::internal {
+namespace {
+
+using Names = std::map<std::string_view, BodyId>;
+
+Names names_of(const Scene& scene) {
+  Names names;
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    const std::string& name = scene.bodies[i].name;
+    if (name == "*") throw InputError("bodies", "a body is called \"*\"", "in \"ignore\" that is every other body");
+    // Nothing refers to a body without a name.
+    if (!name.empty() && !names.emplace(name, static_cast<BodyId>(i)).second)
+      throw InputError("bodies", "two bodies are called \"" + name + "\"",
+                       "give the bodies different names: answers call them by name");
+  }
+  return names;
+}
+
+/// The same error, its culprits on this part of this body; on this ring, unless they name rings themselves.
+InputError located(const InputError& error, BodyId body, std::size_t part, std::size_t ring) {
+  Culprits culprits = error.culprits();
+  const auto locate = [&](auto& feature) {
+    feature.body = body;
+    feature.part = static_cast<int>(part);
+    if (ring > 0) feature.ring = static_cast<int>(ring);
+  };
+  for (VertexRef& v : culprits.vertices) locate(v);
+  for (EdgeRef& e : culprits.edges) locate(e);
+  return InputError(error.place(), error.problem(), error.hint(), std::move(culprits));
+}
+
+void validate_prepared(const Body& body) {
+  if (body.polygon.empty() || body.prepared->polygon() == body.polygon) return;
+  throw InputError(body.name, "the prepared shape was made of another polygon",
+                   "set Body::prepared to what prepare(polygon) returns for the body's own polygon, "
+                   "which may be left out then");
+}
+
+/// Its rings, one by one and together; grows the range of magnitudes, and the bounds of the body.
+void validate_shape(const Body& body, BodyId id, ShapeFacts& range, Bounds& box) {
+  if (!body.parts.empty() && !body.polygon.empty())
+    throw InputError(body.name, "the body has a polygon and parts", "a body is one polygon, or parts");
+  const auto take = [&](const ShapeFacts& facts) {
+    range.least = std::min(range.least, facts.least);
+    range.largest = std::max(range.largest, facts.largest);
+    box.lo = {std::min(box.lo.x, facts.bounds.lo.x), std::min(box.lo.y, facts.bounds.lo.y)};
+    box.hi = {std::max(box.hi.x, facts.bounds.hi.x), std::max(box.hi.y, facts.bounds.hi.y)};
+  };
+  // What is being validated: a part, and its ring, or 0 for all of its rings together.
+  std::size_t part = 0, ring = 0;
+  const auto validate = [&](const Polygon& polygon) {
+    validate_polygon(polygon, ring_name(body, part, ring));
+    take(facts_of(polygon));
+  };
+  try {
+    if (body.parts.empty() && body.prepared) {
+      validate_prepared(body);
+      take(body.prepared->facts());
+    } else if (body.parts.empty()) {
+      validate(body.polygon);
+    }
+    for (part = 0; part < body.parts.size(); ++part) {
+      const Part& given = body.parts[part];
+      ring = 0;
+      validate(given.outline);
+      for (ring = 1; ring <= given.holes.size(); ++ring) validate(given.holes[ring - 1]);
+      ring = 0;
+      validate_holes(given, ring_name(body, part, 0));
+    }
+  } catch (const InputError& error) {
+    throw located(error, id, part, ring);
+  }
+}
+
+void validate_parents(const Scene& scene, const Names& names) {
+  for (const Body& body : scene.bodies) {
+    const Body* link = &body;
+    for (int depth = 0; !link->relative_to.empty(); ++depth) {
+      const auto parent = names.find(link->relative_to);
+      if (parent == names.end())
+        throw InputError(link->name, "there is no body \"" + link->relative_to + "\" for it to be relative to",
+                         "`relative_to` is the name of another body of the scene");
+      link = &scene.bodies[static_cast<std::size_t>(parent->second)];
+      if (link == &body)
+        throw InputError(body.name, "it is relative to itself, through its parents", "chains must end");
+      if (depth >= max_depth)
+        throw InputError(body.name, "its chain of parents has more than " + std::to_string(max_depth) + " bodies",
+                         "shorten it, or look for a cycle among its parents");
+    }
+  }
+}
+
+void validate_ignored(const Scene& scene, const Names& names) {
+  for (std::size_t i = 0; i < scene.ignore.size(); ++i) {
+    for (const std::string& name : scene.ignore[i]) {
+      if (name != "*" && names.count(name) == 0)
+        throw InputError("ignore[" + std::to_string(i) + "]", "there is no body \"" + name + "\"",
+                         "write names of bodies of the scene, or \"*\" for every other one");
+    }
+    if (scene.ignore[i][0] == scene.ignore[i][1] && scene.ignore[i][0] != "*")
+      throw InputError("ignore[" + std::to_string(i) + "]", "it pairs \"" + scene.ignore[i][0] + "\" with itself",
+                       "write the names of two bodies, or \"*\" for every other one");
+  }
+}
+
+}  // namespace
+
+bool is_ring_pair(const Scene& scene) {
+  const auto polygon = [](const Body& body) {
+    return body.parts.empty() && body.curves.empty() && body.relative_to.empty();
+  };
+  return scene.bodies.size() == 2 && scene.ignore.empty() &&
+         std::all_of(scene.bodies.begin(), scene.bodies.end(), polygon);
+}
+
+void require_ring_pair(const Scene& scene, const std::string& use) {
+  for (const Body& body : scene.bodies) refuse_curves(body);
+  if (is_ring_pair(scene)) return;
+  throw InputError("bodies",
+                   use + " needs two bodies, each one polygon in the world's frame, and the scene is another one",
+                   "`check` takes any number of bodies, with parts, holes, parents and ignored pairs");
+}
+
+void validate_polygons(const Scene& scene) {
+  for (const Body& body : scene.bodies) refuse_curves(body);
+  validate_time(scene);
+  if (scene.bodies.empty()) throw InputError("bodies", "the scene has no bodies", "write at least one");
+  const Names names = names_of(scene);
+  ShapeFacts range;
+  range.least = INFINITY;
+  std::vector<Bounds> boxes;
+  double extent = 0;
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    Bounds box{{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
+    validate_shape(scene.bodies[i], static_cast<BodyId>(i), range, box);
+    boxes.push_back(box);
+    extent = std::max(extent, diagonal(box));
+  }
+  validate_range(range, range);
+  validate_parents(scene, names);
+  validate_ignored(scene, names);
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    const Body& body = scene.bodies[i];
+    validate_motion(body.motion, body.name, boxes[i], scene.start, scene.end, extent);
+  }
+}
+
+}  // namespace taut::internal

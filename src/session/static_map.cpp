@@ -1,0 +1,218 @@
+#include "taut/static_map.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "motion/pieces.hpp"
+#include "numeric/budget.hpp"
+#include "numeric/errors.hpp"
+#include "numeric/undecided.hpp"
+#include "scene/validate_scene.hpp"
+#include "session/static_map_parts.hpp"
+#include "solver/earliest.hpp"
+#include "solver/run.hpp"
+
+namespace taut {
+using namespace internal;
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// The scene of these bodies at rest.
+Scene resting(std::vector<Body> bodies) {
+  Scene scene;
+  scene.bodies = std::move(bodies);
+  return scene;
+}
+
+void expect_rest(const Body& body) {
+  const bool rests = std::all_of(body.motion.pieces.begin(), body.motion.pieces.end(),
+                                 [](const MotionPiece& piece) { return same_motion(piece, MotionPiece{}); });
+  if (!rests || !body.relative_to.empty())
+    throw InputError(body.name, "the body moves, or is relative to another one",
+                     "a map is of bodies at rest in the world's frame; ask check() about scenes of moving ones");
+}
+
+/// The range of the magnitudes of all nonzero coordinates.
+ShapeFacts range_of(const std::vector<Body>& bodies) {
+  ShapeFacts range;
+  range.least = INFINITY;
+  for (const Body& body : bodies) {
+    for (const Part& part : parts_of(body)) {
+      for (std::size_t k = 0; k <= part.holes.size(); ++k) {
+        const ShapeFacts facts = facts_of(k == 0 ? part.outline : part.holes[k - 1]);
+        range.least = std::min(range.least, facts.least);
+        range.largest = std::max(range.largest, facts.largest);
+      }
+    }
+  }
+  return range;
+}
+
+std::vector<SweptBox> boxes_of(const std::vector<SharedRings>& rings) {
+  std::vector<SweptBox> boxes;
+  for (const SharedRings& r : rings) boxes.push_back(swept_box({r, {}, 0}, 0, 0));
+  return boxes;
+}
+
+MapBodies prepared_bodies(const std::vector<Body>& bodies, double largest) {
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  std::vector<SharedRings> rings;
+  double extent = 0;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    rings.push_back(std::make_shared<const RingSet>(bodies[i], static_cast<int>(i), -exponent));
+    extent = std::max(extent, std::ldexp(diagonal(rings.back()->bounds()), exponent));
+  }
+  const std::vector<SweptBox> boxes = boxes_of(rings);
+  MapBodies all;
+  all.rings = std::move(rings);
+  all.boxes = BoxTree(boxes);
+  all.exponent = -exponent;
+  all.extent = extent;
+  return all;
+}
+
+/// One query, and its answer so far.
+class MapRun {
+ public:
+  MapRun(const MapBodies& bodies, const StaticMap::Mover::Impl& mover, const Motion& motion, double start, double end,
+         const CheckOptions& options)
+      : bodies_(bodies),
+        start_(start),
+        end_(end),
+        options_(options),
+        scope_(options.limits),
+        mover_{mover.rings, {}, 0} {
+    const PieceList pieces = PieceList::between(motion, start, end, bodies.exponent);
+    if (!pieces.rests()) mover_.motions.push_back(pieces);
+  }
+
+  Answer run() {
+    Answer answer = asked(offset_for(options_.touch));
+    if (answer.outcome != Outcome::free || options_.touch != Touch::open || !options_.tell_touching || !beyond_doubles_)
+      return answer;
+    // The bodies are free by an amount below the resolution of doubles: test whether they touch.
+    try {
+      const Answer touching = asked(Offset::outward);
+      answer.touching = touching.contact;
+      answer.run_seconds += touching.run_seconds;
+      answer.touching_undecided = touching.reason;
+    } catch (const InputError& refused) {
+      answer.touching_undecided = refused.what();
+    }
+    return answer;
+  }
+
+ private:
+  Answer asked(Offset offset) {
+    const Clock::time_point begun = Clock::now();
+    Answer answer;
+    answer.engine = EngineName::spacetime;
+    MapSearch search(bodies_, mover_, start_, end_, offset);
+    std::string stopped;
+    try {
+      scope_.check();
+      if (search.start()) search.run();
+      answer.outcome = Outcome::free;
+      answer.free_until = end_;
+    } catch (const Interrupted& limit) {
+      stopped = limit.reason;
+    }
+    conclude(search, stopped, answer);
+    beyond_doubles_ = search.stages().beyond_doubles() > 0;
+    answer.run_seconds = seconds_since(begun);
+    return answer;
+  }
+
+  void conclude(MapSearch& search, const std::string& stopped, Answer& answer) const {
+    std::vector<PairEvent> events;
+    search.for_each_pair([&](const PairSolver& pair) {
+      if (!pair.open()) events.push_back({answer_of(pair.result()), pair.instant()});
+    });
+    if (!stopped.empty()) {
+      std::erase_if(events, [&](const PairEvent& e) { return !(time_of(e.pair) < search.proved()); });
+      answer.outcome = Outcome::undecided;
+      answer.free_until = search.proved();
+      answer.reason = stopped;
+    }
+    take_earliest(events, answer);
+    if (answer.outcome == Outcome::overlap_at_start && answer.pair)
+      answer.overlap_point = search.common_point((*answer.pair)[0]);
+    const std::uint64_t all = bodies_.rings.size();
+    answer.coverage.pairs = all;
+    answer.coverage.tested = search.tested();
+    answer.coverage.apart = all - search.tested();
+  }
+
+  const MapBodies& bodies_;
+  double start_, end_;
+  const CheckOptions& options_;
+  Budget scope_;
+  InstanceBody mover_;
+  bool beyond_doubles_ = false;
+};
+
+}  // namespace
+
+StaticMap::StaticMap(std::vector<Body> bodies, double reach) {
+  const auto impl = std::make_shared<Impl>();
+  for (const Body& body : bodies) expect_rest(body);
+  const Scene scene = resting(std::move(bodies));
+  validate_polygons(scene);
+  impl->bodies = scene.bodies;
+  impl->range = range_of(impl->bodies);
+  impl->largest = reach;
+  for (const Body& body : impl->bodies) impl->largest = std::max(impl->largest, largest_coordinate(body));
+  impl->prepared = prepared_bodies(impl->bodies, impl->largest);
+  impl_ = impl;
+}
+
+std::size_t StaticMap::size() const { return impl_->bodies.size(); }
+
+const Body& StaticMap::body(BodyId id) const { return impl_->bodies.at(static_cast<std::size_t>(id)); }
+
+StaticMap::Mover StaticMap::prepare(const Body& body) const {
+  Body shape = body;
+  shape.motion = {};
+  shape.relative_to.clear();
+  validate_polygons(resting({shape}));
+  validate_range(impl_->range, range_of({shape}));
+  if (largest_coordinate(shape) > impl_->largest)
+    throw InputError(body.name, "the shape has coordinates beyond the map's reach",
+                     "give the map a larger `reach`, or the shape coordinates about its own middle");
+  const auto mover = std::make_shared<Mover::Impl>();
+  mover->name = body.name;
+  mover->rings = std::make_shared<const RingSet>(shape, static_cast<int>(size()), impl_->prepared.exponent);
+  mover->bounds = mover->rings->input_bounds();
+  mover->extent = std::max(impl_->prepared.extent, diagonal(mover->bounds));
+  mover->map = impl_.get();
+  return Mover(mover);
+}
+
+Answer StaticMap::check(const Mover& mover, const Motion& motion, double start, double end,
+                        const CheckOptions& options) const {
+  if (mover.impl_->map != impl_.get())
+    throw InputError(mover.name(), "the mover was prepared for another map", "prepare it for this one");
+  Scene time;
+  time.start = start;
+  time.end = end;
+  validate_time(time);
+  validate_motion(motion, mover.name(), mover.impl_->bounds, start, end, mover.impl_->extent);
+  return MapRun(impl_->prepared, *mover.impl_, motion, start, end, options).run();
+}
+
+std::optional<BodyId> StaticMap::overlapped(const Mover& mover, const Motion& motion, double t, Touch touch) const {
+  CheckOptions options;
+  options.touch = touch;
+  options.tell_touching = false;
+  const Answer answer = check(mover, motion, t, t, options);
+  if (answer.outcome == Outcome::undecided) throw UndecidedError(answer.reason);
+  if (answer.outcome == Outcome::free) return std::nullopt;
+  return (*answer.pair)[0];
+}
+
+const std::string& StaticMap::Mover::name() const { return impl_->name; }
+
+}  // namespace taut

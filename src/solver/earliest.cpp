@@ -1,0 +1,62 @@
+#include "solver/earliest.hpp"
+
+#include <algorithm>
+
+namespace taut::internal {
+
+PairAnswer answer_of(const PairResult& result) {
+  return {{result.a, result.b}, result.outcome, result.contact, result.free_until, result.reason};
+}
+
+double time_of(const PairAnswer& pair) {
+  return pair.outcome == Outcome::contact ? pair.contact->time.lo : pair.free_until;
+}
+
+namespace {
+
+/// An overlap at the start comes before everything else. The rest is ordered by time.
+bool before(const PairAnswer& a, const PairAnswer& b) {
+  const bool overlap_a = a.outcome == Outcome::overlap_at_start, overlap_b = b.outcome == Outcome::overlap_at_start;
+  if (overlap_a != overlap_b) return overlap_a;
+  return time_of(a) < time_of(b);
+}
+
+/// The events that are unordered with the first one, itself included: every other overlap, or contacts that may come
+/// before it.
+std::vector<std::size_t> together(const std::vector<PairEvent>& events, const PairAnswer& first) {
+  std::vector<std::size_t> alike;
+  std::vector<ContactCandidate> contacts;
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    const PairAnswer& pair = events[i].pair;
+    if (pair.outcome != first.outcome) continue;
+    if (first.outcome == Outcome::undecided && &pair != &first) continue;
+    alike.push_back(i);
+    if (pair.contact) contacts.push_back({pair.contact->time, events[i].instant});
+  }
+  if (first.outcome != Outcome::contact) return alike;
+  std::vector<std::size_t> chosen;
+  for (const std::size_t k : possibly_first(contacts)) chosen.push_back(alike[k]);
+  return chosen;
+}
+
+}  // namespace
+
+void take_earliest(const std::vector<PairEvent>& events, Answer& answer) {
+  if (events.empty()) return;
+  const auto earlier = [](const PairEvent& a, const PairEvent& b) { return before(a.pair, b.pair); };
+  const PairAnswer& first = std::min_element(events.begin(), events.end(), earlier)->pair;
+  const std::vector<std::size_t> ties = together(events, first);
+  const PairAnswer& named = events[ties.front()].pair;
+  answer.outcome = named.outcome;
+  answer.pair = named.bodies;
+  answer.contact = named.contact;
+  answer.reason = named.reason;
+  answer.free_until = time_of(named);
+  for (const std::size_t i : ties) answer.free_until = std::min(answer.free_until, time_of(events[i].pair));
+  // The interval must contain the first contact of all, whichever that is.
+  if (answer.contact) answer.contact->time.lo = answer.free_until;
+  answer.also.clear();
+  for (auto i = ties.begin() + 1; i != ties.end(); ++i) answer.also.push_back(events[*i].pair);
+}
+
+}  // namespace taut::internal

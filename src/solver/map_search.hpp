@@ -1,0 +1,65 @@
+// The first contact of one moving body with any of many bodies at rest.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "scene/box_tree.hpp"
+#include "scene/free_cells.hpp"
+#include "solver/pair_solver.hpp"
+
+namespace taut::internal {
+
+/// Bodies at rest in one scale.
+struct MapBodies {
+  std::vector<SharedRings> rings;
+  BoxTree boxes;
+  int exponent = 0;
+  double extent = 0;  ///< the largest of a body, in the input's units
+  std::shared_ptr<FreeCellsOnce> free_cells = std::make_shared<FreeCellsOnce>();
+};
+
+/// Time is halved while the motion of the mover enlarges its box too much. For each window, the tree returns the bodies
+/// whose boxes meet that of the mover, and these pairs are decided for the window. Windows come in order of time, and a
+/// contact ends the search. The segments of the motion are the same for all bodies of the map, except for the two roles
+/// that the mover can have.
+class MapSearch {
+ public:
+  /// The motion is that of the mover, scaled, on [start, end]. `bodies` must outlive the search.
+  MapSearch(const MapBodies& bodies, InstanceBody mover, double start, double end, Offset offset);
+
+  /// Determines overlaps, and contacts, at the start. Returns false if nothing is left to search.
+  bool start();
+  void run() { cover(start_, end_, 0); }
+
+  /// The results for the bodies that the mover came near to, in the map's order.
+  std::vector<PairResult> results() const { return results_of(pairs_); }
+  /// Visits the pairs.
+  template <class Visit>
+  void for_each_pair(const Visit& visit) const {
+    for (const auto& [body, pair] : pairs_) visit(*pair);
+  }
+  /// A point inside the mover and a body that it overlaps at the start.
+  std::optional<Point> common_point(int body) const;
+  double proved() const { return proved_; }
+  std::uint64_t tested() const { return pairs_.size(); }
+  StageCounts stages() const { return stages_of(pairs_); }
+
+ private:
+  SpacetimeSolver& pair(int body);
+  BodyPair bodies_with(int body) const;
+  const SharedSegments& segments(const BodyPair& bodies);
+  void cover(double from, double to, int depth);
+
+  const MapBodies& bodies_;
+  InstanceBody mover_;
+  double start_, end_;
+  Offset offset_;
+  double size_;  ///< of the mover's box at rest
+  double stop_, proved_;
+  std::array<SharedSegments, 2> segments_;  ///< with the mover as P, and as Q
+  std::map<int, std::unique_ptr<SpacetimeSolver>> pairs_;
+};
+
+}  // namespace taut::internal
