@@ -87,7 +87,7 @@ class Replanned {
     Motion one{{rest.pieces[0]}};
     one.pieces[0].until = INFINITY;
     try {
-      validate_motion(one, b.name, bounds(b.polygon), t, scene_.end, 1);
+      validate_motion(one, b.name, box_around(b.polygon), t, scene_.end, 1);
       return one;
     } catch (const InputError&) {
       return rest;

@@ -13,7 +13,7 @@ from pathlib import Path
 
 # What the verifier derives by rules of its own: which pairs are tested, boxes around moving bodies, pieces of curves.
 own_rules = """
-    scene/instance.hpp scene/box_tree.hpp scene/changing_boxes.hpp scene/free_cells.hpp scene/meeting_boxes.hpp
+    scene/instance.hpp scene/changing_boxes.hpp scene/free_cells.hpp scene/meeting_boxes.hpp
     scene/near_stretches.hpp scene/pairs_in_reach.hpp scene/swept_box.hpp
     geometry/arc_frame.hpp geometry/band.hpp geometry/banded_part.hpp geometry/cell.hpp geometry/cell_proof.hpp
     geometry/flat_part.hpp geometry/meeting_cells.hpp geometry/nesting.hpp geometry/piece.hpp geometry/wide.hpp

@@ -161,7 +161,7 @@ void BodyMaker::cut_out(Layer& layer, std::vector<Named>& parts) {
   settings.repair = 0;
   std::vector<Named> left;
   for (Named& named : parts) {
-    const SegmentBox box = box_of(named.part.outline);
+    const AxisBox box = box_of(named.part.outline);
     std::vector<Chain> rings{{named.part.outline, true, named.place}};
     for (const Polygon& hole : named.part.holes) rings.push_back({hole, true, named.place});
     for (const Chain& cutout : layer.cutouts)
@@ -213,7 +213,7 @@ void BodyMaker::note_shapes_in_others() {
   struct Shape {
     const Named* named;
     std::size_t layer;
-    SegmentBox box;
+    AxisBox box;
   };
   std::vector<Shape> shapes;
   for (std::size_t k = 0; k < parts_.size(); ++k)
@@ -316,7 +316,7 @@ void BodyMaker::add_body(const std::string& wanted, std::vector<Named> named) {
   std::vector<Part> parts;
   for (Named& one : named) parts.push_back(std::move(one.part));
   BodyReport report{body.name, file_.file, parts.size(), 0, 0, -overlap, overlap, {}, {}};
-  SegmentBox box = box_of(parts.front().outline);
+  AxisBox box = box_of(parts.front().outline);
   for (const Part& part : parts) {
     box.include(box_of(part.outline));
     report.holes += part.holes.size();

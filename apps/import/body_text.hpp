@@ -27,9 +27,9 @@ inline void require_range(const std::vector<Chain>& chains) {
   }
 }
 
-inline SegmentBox box_of(const Polygon& ring) {
-  SegmentBox box(ring[0], ring[0]);
-  for (const Point& p : ring) box.include(SegmentBox(p, p));
+inline AxisBox box_of(const Polygon& ring) {
+  AxisBox box(ring[0], ring[0]);
+  for (const Point& p : ring) box.include(AxisBox(p, p));
   return box;
 }
 

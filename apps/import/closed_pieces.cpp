@@ -33,8 +33,8 @@ std::vector<int> connected_nodes(const LineGraph& graph, const std::vector<bool>
   return root;
 }
 
-std::vector<SegmentBox> edge_boxes(const LineGraph& graph, const FaceMap& faces) {
-  std::vector<SegmentBox> boxes;
+std::vector<AxisBox> edge_boxes(const LineGraph& graph, const FaceMap& faces) {
+  std::vector<AxisBox> boxes;
   for (const int e : faces.edges) {
     const LineGraph::Edge& edge = graph.edges[static_cast<std::size_t>(e)];
     boxes.emplace_back(graph.point(edge.from), graph.point(edge.to));
@@ -60,11 +60,11 @@ ClosedPieces::ClosedPieces(const LineGraph& graph, const std::vector<bool>& clos
     pieces_[piece].source = std::min(pieces_[piece].source, edge.source);
     for (const int node : {edge.from, edge.to}) pieces_[piece].nodes.push_back(node);
   }
-  std::vector<SegmentBox> boxes;
+  std::vector<AxisBox> boxes;
   for (const Piece& piece : pieces_) {
     const Point first = graph.point(piece.nodes.front());
     boxes.emplace_back(first, first);
-    for (const int node : piece.nodes) boxes.back().include(SegmentBox(graph.point(node), graph.point(node)));
+    for (const int node : piece.nodes) boxes.back().include(AxisBox(graph.point(node), graph.point(node)));
   }
   boxes_ = SegmentStrips(std::move(boxes));
 }
@@ -73,11 +73,11 @@ std::optional<std::size_t> ClosedPieces::within_hull(const std::vector<Point>& p
   Polygon hull;
   for (const int k : convex_hull(points)) hull.push_back(points[static_cast<std::size_t>(k)]);
   if (hull.size() < 3) return std::nullopt;
-  SegmentBox around(hull[0], hull[0]);
-  for (const Point& p : hull) around.include(SegmentBox(p, p));
+  AxisBox around(hull[0], hull[0]);
+  for (const Point& p : hull) around.include(AxisBox(p, p));
   const auto in_hull = [&](int node) {
     const Point& p = graph_.point(node);
-    if (!around.holds(SegmentBox(p, p))) return false;
+    if (!around.holds(AxisBox(p, p))) return false;
     for (std::size_t i = 0; i < hull.size(); ++i)
       if (orientation(hull[i], hull[(i + 1) % hull.size()], p) < 0) return false;
     return true;

@@ -260,7 +260,7 @@ class DxfReader {
     }
     if (!chain) return lose(item, own.layer, reason_for(type), corners_of(item, placed));
     if (type == "SPLINE" && !item.has(10) && fitted_++ == 0) first_fitted_ = item.place();
-    if (chain->points.empty() || box_of(chain->points).extent() == 0)
+    if (chain->points.empty() || box_of(chain->points).longest() == 0)
       return skip(item, own.layer, "has no extent", false);
     Layer& target = drawing_.layer(group_of(item, own));
     if (target.sheets.empty()) target.sheets.push_back({"", Fill::even_odd, {}, true});
@@ -281,11 +281,11 @@ class DxfReader {
 
   /// Fillings repeat what lines draw. By themselves, or apart from all lines of their layer, they are shapes.
   void add_fillings() {
-    std::map<std::string, SegmentBox> drawn;
+    std::map<std::string, AxisBox> drawn;
     for (const Layer& layer : drawing_.layers) {
       for (const Sheet& sheet : layer.sheets) {
         for (const Chain& chain : sheet.chains) {
-          const SegmentBox box = box_of(chain.points);
+          const AxisBox box = box_of(chain.points);
           const auto [known, fresh] = drawn.emplace(layer.name, box);
           if (!fresh) known->second.include(box);
         }

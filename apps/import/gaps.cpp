@@ -83,7 +83,7 @@ class GapCloser {
 
   /// What each end may have been meant to meet. Most ends have nothing near them but the lines that end there.
   void find_neighbours() {
-    std::vector<SegmentBox> boxes;
+    std::vector<AxisBox> boxes;
     for (const LineGraph::Edge& e : graph_.edges) boxes.emplace_back(graph_.point(e.from), graph_.point(e.to));
     std::vector<int> ends;
     for (int node = 0; node < static_cast<int>(graph_.nodes.size()); ++node) {

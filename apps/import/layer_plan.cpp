@@ -109,8 +109,8 @@ class Planner {
       segments.push_back({chain.points[i], chain.points[(i + 1) % n], layer, &chain});
   }
 
-  static std::vector<SegmentBox> boxes_of(const std::vector<LayerSegment>& segments) {
-    std::vector<SegmentBox> boxes;
+  static std::vector<AxisBox> boxes_of(const std::vector<LayerSegment>& segments) {
+    std::vector<AxisBox> boxes;
     boxes.reserve(segments.size());
     for (const LayerSegment& segment : segments) boxes.emplace_back(segment.a, segment.b);
     return boxes;
@@ -121,7 +121,7 @@ class Planner {
     for (std::size_t root = 0; root < layers_.size(); ++root) {
       if (set_[root] != root || !settled_.insert(root).second) continue;
       for (const Point& end : loose_ends(lines_with_ends(root), settings_)) {
-        strips_->each_near(SegmentBox(end, end, settings_.join), [&](std::size_t s) {
+        strips_->each_near(AxisBox(end, end, settings_.join), [&](std::size_t s) {
           if (set_[segments_[s].layer] == set_[root] || distance_to(segments_[s], end) > settings_.join) return;
           join(root, segments_[s].layer);
           any = true;
@@ -141,7 +141,7 @@ class Planner {
         if (chain.closed || chain.points.empty()) continue;
         wanted.insert(&chain);
         for (const Point& end : {chain.points.front(), chain.points.back()})
-          strips_->each_near(SegmentBox(end, end, near * settings_.join), [&](std::size_t s) {
+          strips_->each_near(AxisBox(end, end, near * settings_.join), [&](std::size_t s) {
             if (set_[segments_[s].layer] == root) wanted.insert(segments_[s].chain);
           });
       }
@@ -163,7 +163,7 @@ class Planner {
   /// The segments of chains whose boxes meet those of other sets: others have no conflict with these.
   std::vector<LayerSegment> segments_near_others() const {
     std::vector<std::pair<const Chain*, std::size_t>> chains;
-    std::vector<SegmentBox> boxes;
+    std::vector<AxisBox> boxes;
     for (std::size_t k = 0; k < layers_.size(); ++k) {
       for (const Chain& chain : layers_[k].chains) {
         if (chain.points.empty()) continue;

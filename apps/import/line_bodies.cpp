@@ -28,8 +28,8 @@ bool is_near(const Polygon& ring, const Point& p, double distance) {
 
 /// Do all vertices of the ring lie within the other one, or so near to it?
 bool lies_within(const Polygon& ring, const Polygon& outer, double distance) {
-  const SegmentBox around(box_of(outer));
-  const SegmentBox wide({around.lo_x, around.lo_y}, {around.hi_x, around.hi_y}, distance);
+  const AxisBox around(box_of(outer));
+  const AxisBox wide({around.lo_x, around.lo_y}, {around.hi_x, around.hi_y}, distance);
   return wide.holds(box_of(ring)) && std::all_of(ring.begin(), ring.end(), [&](const Point& p) {
            return roughly_inside(outer, p) || is_near(outer, p, distance);
          });
@@ -70,7 +70,7 @@ Point inner_point(const Part& part) {
 double least_extent(const std::vector<Chain>& chains) {
   double least = INFINITY;
   for (const Chain& chain : chains)
-    if (chain.points.size() > 2) least = std::min(least, box_of(chain.points).extent());
+    if (chain.points.size() > 2) least = std::min(least, box_of(chain.points).longest());
   return least;
 }
 
@@ -166,7 +166,7 @@ void BodyMaker::note_coarse_join(const std::vector<LineLayer>& lines) {
   std::string first;
   for (const LineLayer& layer : lines) {
     for (const Chain& chain : layer.chains) {
-      const double extent = box_of(chain.points).extent();
+      const double extent = box_of(chain.points).longest();
       ++all;
       if (!(extent > 0 && extent <= *settings_.join)) continue;
       if (small++ == 0) first = chain.place;
@@ -210,7 +210,7 @@ void BodyMaker::note_border(const Drawing& drawing, const std::vector<Piece>& pi
   const Piece& largest = *std::max_element(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) {
     return doubled_area(a.region.part.outline) < doubled_area(b.region.part.outline);
   });
-  const SegmentBox around = box_of(largest.region.part.outline);
+  const AxisBox around = box_of(largest.region.part.outline);
   bool any = false;
   for (const Piece& piece : pieces) {
     if (piece.layer == largest.layer) continue;
@@ -230,13 +230,13 @@ void BodyMaker::note_border(const Drawing& drawing, const std::vector<Piece>& pi
 
 /// A piece within material of a layer that is read apart could be a hole in it, or a body on it.
 void BodyMaker::require_clear_nesting(const Drawing& drawing, const std::vector<Piece>& pieces) {
-  std::vector<SegmentBox> boxes;
+  std::vector<AxisBox> boxes;
   for (const Piece& piece : pieces) boxes.emplace_back(box_of(piece.region.part.outline));
   const SegmentStrips strips(boxes);
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const Piece& inner = pieces[i];
     std::size_t first = pieces.size();
-    const SegmentBox wide({boxes[i].lo_x, boxes[i].lo_y}, {boxes[i].hi_x, boxes[i].hi_y}, file_.fineness.join);
+    const AxisBox wide({boxes[i].lo_x, boxes[i].lo_y}, {boxes[i].hi_x, boxes[i].hi_y}, file_.fineness.join);
     strips.each_near(wide, [&](std::size_t k) {
       if (k < first && encloses(pieces[k], inner)) first = k;
     });

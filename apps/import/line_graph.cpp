@@ -179,7 +179,7 @@ class Splitter {
     std::sort(segments_.begin(), segments_.end());
     segments_.erase(std::unique(segments_.begin(), segments_.end()), segments_.end());
     cuts_.assign(segments_.size(), {});
-    std::vector<SegmentBox> boxes;
+    std::vector<AxisBox> boxes;
     for (const Segment& s : segments_) boxes.emplace_back(at(s.first), at(s.second), distance_);
     bool any = false;
     SegmentStrips(std::move(boxes)).each_pair([&](std::size_t i, std::size_t j) { any = compare(i, j) || any; });
@@ -263,18 +263,18 @@ Incidence::Incidence(const LineGraph& graph, const std::vector<bool>& alive)
 }
 
 double node_distance(const std::vector<Strand>& strands) {
-  SegmentBox around;
+  AxisBox around;
   bool first = true;
   for (const Strand& strand : strands) {
     for (const Point& p : strand.points) {
-      if (first) around = SegmentBox(p, p);
+      if (first) around = AxisBox(p, p);
       first = false;
-      around.include(SegmentBox(p, p));
+      around.include(AxisBox(p, p));
     }
   }
   // Far from the origin, coordinates are coarser.
   const double far = std::max({-around.lo_x, -around.lo_y, around.hi_x, around.hi_y});
-  return std::max({around.extent() * 0x1p-40, far * 0x1p-48, 0x1p-390});
+  return std::max({around.longest() * 0x1p-40, far * 0x1p-48, 0x1p-390});
 }
 
 LineGraph split_at_crossings(const std::vector<Strand>& strands, std::size_t most, const std::string& file) {

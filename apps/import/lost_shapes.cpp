@@ -15,7 +15,7 @@ using namespace internal;
 
 namespace {
 
-void add_edges(const Polygon& ring, std::vector<SegmentBox>& boxes) {
+void add_edges(const Polygon& ring, std::vector<AxisBox>& boxes) {
   for (std::size_t i = 0; i < ring.size(); ++i) boxes.emplace_back(ring[i], ring[(i + 1) % ring.size()]);
 }
 
@@ -31,7 +31,7 @@ std::string consequence_of(const Skipped& skipped, const LostShape& shape, const
 /// A hole may lie wherever material is. What is filled in material, or along its boundary, changes nothing; what goes
 /// beyond it does.
 std::optional<std::size_t> BodyMaker::layer_at(const LostShape& shape, const SegmentStrips& edges) const {
-  const auto any_edge = [&](const SegmentBox& box) {
+  const auto any_edge = [&](const AxisBox& box) {
     bool any = false;
     edges.each_near(box, [&](std::size_t) { any = true; });
     return any;
@@ -39,12 +39,12 @@ std::optional<std::size_t> BodyMaker::layer_at(const LostShape& shape, const Seg
   std::vector<Point> points;  // of a filling: those that are not on a boundary
   const double near = file_.fineness.join + 2 * file_.fineness.tolerance;
   for (const Point& p : shape.points)
-    if (!shape.filling || !any_edge(SegmentBox(p, p, near))) points.push_back(p);
+    if (!shape.filling || !any_edge(AxisBox(p, p, near))) points.push_back(p);
   if (shape.filling && points.empty()) return std::nullopt;
   for (std::size_t k = 0; k < parts_.size(); ++k) {
     for (const Named& named : parts_[k]) {
       if (points.empty()) return k;
-      const SegmentBox box = box_of(points);
+      const AxisBox box = box_of(points);
       if (!box_of(named.part.outline).meets(box)) continue;
       const auto inside =
           std::count_if(points.begin(), points.end(), [&](const Point& p) { return roughly_inside(named.part, p); });
@@ -58,11 +58,11 @@ std::optional<std::size_t> BodyMaker::layer_at(const LostShape& shape, const Seg
 /// A line that ends open where the shape lies may be a part of the same outline.
 std::optional<BodyMaker::OpenEnd> BodyMaker::open_end_at(const LostShape& shape) const {
   if (shape.points.empty() || shape.filling) return std::nullopt;
-  const SegmentBox tight = box_of(shape.points);
-  const SegmentBox box({tight.lo_x, tight.lo_y}, {tight.hi_x, tight.hi_y}, file_.fineness.join);
+  const AxisBox tight = box_of(shape.points);
+  const AxisBox box({tight.lo_x, tight.lo_y}, {tight.hi_x, tight.hi_y}, file_.fineness.join);
   for (const OpenReport& open : file_.open)
     for (const Point& end : {open.points.front(), open.points.back()})
-      if (box.holds(SegmentBox(end, end))) return OpenEnd{open.place, end};
+      if (box.holds(AxisBox(end, end))) return OpenEnd{open.place, end};
   return std::nullopt;
 }
 
@@ -71,7 +71,7 @@ void BodyMaker::require_nothing_lost(const Drawing& drawing) {
   const bool any = std::any_of(file_.skipped.begin(), file_.skipped.end(),
                                [](const Skipped& skipped) { return !skipped.shapes.empty(); });
   if (!any || settings_.open == OpenRings::skip || settings_.strict) return;
-  std::vector<SegmentBox> boxes;
+  std::vector<AxisBox> boxes;
   for (const std::vector<Named>& parts : parts_) {
     for (const Named& named : parts) {
       add_edges(named.part.outline, boxes);

@@ -15,11 +15,11 @@ using namespace internal;
 namespace {
 
 struct BlockFacts {
-  SegmentBox box;
+  AxisBox box;
   std::vector<std::size_t> edges;
 };
 
-SegmentBox edge_box(const LineGraph& graph, std::size_t e) {
+AxisBox edge_box(const LineGraph& graph, std::size_t e) {
   return {graph.point(graph.edges[e].from), graph.point(graph.edges[e].to)};
 }
 
@@ -38,7 +38,7 @@ std::vector<BlockFacts> facts_of_blocks(const LineGraph& graph, const std::vecto
 
 struct FaceFacts {
   double area = 0, around = 0;
-  std::optional<SegmentBox> box;
+  std::optional<AxisBox> box;
   double block = 0;  ///< the extent of the largest block at it
 };
 
@@ -55,11 +55,11 @@ std::vector<FaceFacts> facts_of_faces(const LineGraph& graph, const std::vector<
     FaceFacts& face = facts[static_cast<std::size_t>(map.face(h))];
     face.around += std::hypot(b.x - a.x, b.y - a.y);
     if (face.box)
-      face.box->include(SegmentBox(a, b));
+      face.box->include(AxisBox(a, b));
     else
-      face.box = SegmentBox(a, b);
+      face.box = AxisBox(a, b);
     const auto in = static_cast<std::size_t>(block[static_cast<std::size_t>(faces.edge(h))]);
-    face.block = std::max(face.block, blocks[in].box.extent());
+    face.block = std::max(face.block, blocks[in].box.longest());
   }
   return facts;
 }
@@ -93,7 +93,7 @@ bool dissolve_small_faces(const LineGraph& graph, std::vector<bool>& alive, cons
   std::set<int> small;
   for (int f = 1; f < faces.map.faces(); ++f) {
     const FaceFacts& face = facts[static_cast<std::size_t>(f)];
-    const bool loop = face.box->extent() <= size && face.block > size;
+    const bool loop = face.box->longest() <= size && face.block > size;
     if (loop || (join > 0 && is_sliver(face))) small.insert(f);
   }
   const std::map<int, int> merges = merges_of(graph, faces, small);
@@ -106,7 +106,7 @@ bool dissolve_small_faces(const LineGraph& graph, std::vector<bool>& alive, cons
     const FaceFacts& face = facts[static_cast<std::size_t>(merge->first)];
     const bool sliver = is_sliver(face);
     repairs.push_back({sliver ? Repair::Kind::sliver : Repair::Kind::loop, faces.map.point(faces.map.origin(h)),
-                       sliver ? 2 * face.area / face.around : face.box->extent(),
+                       sliver ? 2 * face.area / face.around : face.box->longest(),
                        graph.edges[static_cast<std::size_t>(faces.edge(h))].source});
   }
   return !merges.empty();
@@ -189,7 +189,7 @@ void thin_doubled_lines(const LineGraph& graph, std::vector<bool>& alive, double
   const Incidence all(graph, alive);
   const std::vector<int> block_of = blocks_of(graph, alive);
   for (const BlockFacts& block : facts_of_blocks(graph, block_of)) {
-    if (block.edges.size() < 2 || block.box.extent() <= std::max(join, size)) continue;
+    if (block.edges.size() < 2 || block.box.longest() <= std::max(join, size)) continue;
     const std::vector<int> cycle = cycle_of(graph, all, block_of, block.edges);
     double around = 0;
     for (const int h : cycle) around += graph.length(h);
@@ -215,7 +215,7 @@ bool cut_loops(const LineGraph& graph, std::vector<bool>& alive, double size, st
   };
   std::vector<const BlockFacts*> small;
   for (const BlockFacts& block : blocks) {
-    if (block.box.extent() > size)
+    if (block.box.longest() > size)
       hold(block);
     else if (!block.edges.empty())
       small.push_back(&block);
@@ -230,7 +230,7 @@ bool cut_loops(const LineGraph& graph, std::vector<bool>& alive, double size, st
       if (at == block->edges.end()) return false;
       const LineGraph::Edge& edge = graph.edges[*at];
       const int node = held[static_cast<std::size_t>(edge.from)] ? edge.from : edge.to;
-      repairs.push_back({Repair::Kind::loop, graph.point(node), block->box.extent(), edge.source});
+      repairs.push_back({Repair::Kind::loop, graph.point(node), block->box.longest(), edge.source});
       for (const std::size_t e : block->edges) alive[e] = false;
       hold(*block);
       more = true;

@@ -81,17 +81,17 @@ class OutlineMaker {
     const std::vector<Turns> turns = turns_around(graph_, faces);
     FaceKeys keys;
     for (const Turns& face : turns) keys.push_back(face.winding > 0 ? 1 : 0);
-    std::map<int, std::pair<int, SegmentBox>> changed;  // faces: a half-edge, and the box around
+    std::map<int, std::pair<int, AxisBox>> changed;  // faces: a half-edge, and the box around
     for (int h = 0; h < faces.map.half_edges(); ++h) {
       const int f = faces.map.face(h);
       const Turns& face = turns[static_cast<std::size_t>(f)];
       if ((face.winding > 0) == (face.times % 2 != 0)) continue;
-      const SegmentBox box(faces.map.point(faces.map.origin(h)), faces.map.point(faces.map.target(h)));
+      const AxisBox box(faces.map.point(faces.map.origin(h)), faces.map.point(faces.map.target(h)));
       changed.try_emplace(f, h, box).first->second.second.include(box);
     }
     for (const auto& [face, place] : changed)
       out_.repairs.push_back({Repair::Kind::crossing, faces.map.point(faces.map.origin(place.first)),
-                              place.second.extent(),
+                              place.second.longest(),
                               graph_.edges[static_cast<std::size_t>(faces.edge(place.first))].source});
     finish(faces, keys);
     return std::move(out_);
@@ -203,11 +203,11 @@ class OutlineMaker {
   }
 
   static bool holds_any(const Polygon& ring, const std::vector<Point>& points) {
-    SegmentBox box(ring[0], ring[0]);
-    for (const Point& p : ring) box.include(SegmentBox(p, p));
+    AxisBox box(ring[0], ring[0]);
+    for (const Point& p : ring) box.include(AxisBox(p, p));
     auto p = std::lower_bound(points.begin(), points.end(), Point{box.lo_x, box.lo_y}, lexicographically_less);
     for (; p != points.end() && p->x <= box.hi_x; ++p)
-      if (box.meets(SegmentBox(*p, *p)) && roughly_inside(ring, *p)) return true;
+      if (box.meets(AxisBox(*p, *p)) && roughly_inside(ring, *p)) return true;
     return false;
   }
 

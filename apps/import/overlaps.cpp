@@ -46,7 +46,7 @@ Overlaps overlaps_of(const std::vector<SourcedPart>& parts, const OutlineSetting
   if (std::all_of(parts.begin(), parts.end(),
                   [&parts](const SourcedPart& part) { return part.source == parts.front().source; }))
     return overlaps;
-  std::vector<SegmentBox> boxes;
+  std::vector<AxisBox> boxes;
   for (const SourcedPart& part : parts) boxes.push_back(box_of(part.part->outline));
   std::vector<bool> near(parts.size(), false), within(parts.size(), false);
   SegmentStrips(boxes).each_pair([&](std::size_t i, std::size_t j) {

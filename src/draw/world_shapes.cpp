@@ -26,18 +26,6 @@ constexpr double worth_it = 1.1;
 /// Bodies with more vertices are not searched: a number is not worth the time.
 constexpr std::size_t largest_searched = 20000;
 
-struct Box {
-  Point lo{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-  Point hi{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-};
-
-void grow(Box& box, const Polygon& ring) {
-  for (const Point& p : ring) {
-    box.lo = {std::min(box.lo.x, p.x), std::min(box.lo.y, p.y)};
-    box.hi = {std::max(box.hi.x, p.x), std::max(box.hi.y, p.y)};
-  }
-}
-
 double distance(const Point& p, const Point& a, const Point& b) {
   const double ex = b.x - a.x, ey = b.y - a.y, square = ex * ex + ey * ey;
   const double share = square > 0 ? std::clamp(((p.x - a.x) * ex + (p.y - a.y) * ey) / square, 0.0, 1.0) : 0;
@@ -69,12 +57,11 @@ std::vector<Point> middles(const std::vector<Polygon>& rings, double c, bool upr
 
 /// Of one part: the best of the middles of some lines across it.
 InnerPoint inner_point(const std::vector<Polygon>& part) {
-  Box box;
-  grow(box, part[0]);
+  const AxisBox box = box_around(part[0]);
   InnerPoint best;
   for (const int tenths : scan_lines) {
     for (const bool upright : {false, true}) {
-      const double lo = upright ? box.lo.x : box.lo.y, hi = upright ? box.hi.x : box.hi.y;
+      const double lo = upright ? box.lo_x : box.lo_y, hi = upright ? box.hi_x : box.hi_y;
       for (const Point& p : middles(part, lo + (hi - lo) * tenths / 10, upright)) {
         double room = std::numeric_limits<double>::infinity();
         each_edge(part, [&](const Point& a, const Point& b) { room = std::min(room, distance(p, a, b)); });
@@ -104,7 +91,7 @@ BodyLook body_look(std::size_t body) { return looks[body % body_looks]; }
 WorldShapes::WorldShapes(const Scene& scene) : order_(scene.bodies.size()) {
   for (const Body& body : scene.bodies) {
     Shape shape;
-    Box box;
+    AxisBox box;
     shape.curves = body.curves;
     for (std::vector<Polygon>& rings : rings_of(body)) {
       std::size_t count = 0;
@@ -113,11 +100,11 @@ WorldShapes::WorldShapes(const Scene& scene) : order_(scene.bodies.size()) {
       InnerPoint inner = count <= largest_searched ? inner_point(rings) : InnerPoint{};
       inner.part = shape.parts.size();
       if (inner.room > shape.inner.room) shape.inner = inner;
-      grow(box, rings[0]);
+      box.include(box_around(rings[0]));
       shape.parts.push_back(std::move(rings));
     }
-    shape.middle = {box.lo.x / 2 + box.hi.x / 2, box.lo.y / 2 + box.hi.y / 2};
-    shape.extent = std::hypot(box.hi.x - box.lo.x, box.hi.y - box.lo.y);
+    shape.middle = {box.lo_x / 2 + box.hi_x / 2, box.lo_y / 2 + box.hi_y / 2};
+    shape.extent = std::hypot(box.hi_x - box.lo_x, box.hi_y - box.lo_y);
     bodies_.push_back(std::move(shape));
   }
   std::iota(order_.begin(), order_.end(), std::size_t{0});

@@ -88,16 +88,13 @@ bool is_open(const View& view, const Mouth& mouth, bool above_is_sideways, const
 
 /// The box around the hole, cut open on its right: counterclockwise from the wall above the mouth to the one below.
 /// Its proportions are irregular, so that its edges are in line with nothing.
-std::vector<Point> box_around(const View& view) {
-  Bounds b{{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
-  for (const DisplacedPoint& v : view.hole) {
-    b.lo = {std::min(b.lo.x, v.x), std::min(b.lo.y, v.y)};
-    b.hi = {std::max(b.hi.x, v.x), std::max(b.hi.y, v.y)};
-  }
-  const double s = std::max(b.hi.x - b.lo.x, b.hi.y - b.lo.y), y = view.at(0).y;
-  return {{b.hi.x + 0.2371 * s, y + 0.1137 * s},      {b.hi.x + 0.2293 * s, b.hi.y + 0.2531 * s},
-          {b.lo.x - 0.2417 * s, b.hi.y + 0.2239 * s}, {b.lo.x - 0.2173 * s, b.lo.y - 0.2357 * s},
-          {b.hi.x + 0.2539 * s, b.lo.y - 0.2467 * s}, {b.hi.x + 0.2213 * s, y - 0.1171 * s}};
+std::vector<Point> cut_box(const View& view) {
+  AxisBox b;
+  for (const DisplacedPoint& v : view.hole) b.include(v.x, v.y);
+  const double s = b.longest(), y = view.at(0).y;
+  return {{b.hi_x + 0.2371 * s, y + 0.1137 * s},      {b.hi_x + 0.2293 * s, b.hi_y + 0.2531 * s},
+          {b.lo_x - 0.2417 * s, b.hi_y + 0.2239 * s}, {b.lo_x - 0.2173 * s, b.lo_y - 0.2357 * s},
+          {b.hi_x + 0.2539 * s, b.lo_y - 0.2467 * s}, {b.hi_x + 0.2213 * s, y - 0.1171 * s}};
 }
 
 DisplacedPoint given(const Point& p) { return {p.x, p.y, 0, 0}; }
@@ -106,7 +103,7 @@ DisplacedPoint given(const Point& p) { return {p.x, p.y, 0, 0}; }
 /// room for a mouth.
 std::optional<Ring> cut_open(const View& view) {
   if (!(view.sine > 0)) return std::nullopt;
-  const std::vector<Point> box = box_around(view);
+  const std::vector<Point> box = cut_box(view);
   const DisplacedPoint &v = view.at(0), low_end = given(box.back()), high_end = given(box.front());
   const DisplacedPoint up = beside_mouth(view, view.at(view.hole.size() - 1)), down = beside_mouth(view, view.at(1));
   Mouth mouth{v, up};

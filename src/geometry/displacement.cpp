@@ -91,12 +91,8 @@ double random_between(std::uint64_t key, double lo, double hi) {
 DisplacedPolygon::DisplacedPolygon(std::vector<DisplacedPoint> vertices, std::optional<DisplacementFault> found)
     : points(std::move(vertices)), fault(found) {
   if (points.empty()) return;
-  bounds = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
-  for (const DisplacedPoint& v : points) {
-    bounds.lo = {std::min(bounds.lo.x, v.x), std::min(bounds.lo.y, v.y)};
-    bounds.hi = {std::max(bounds.hi.x, v.x), std::max(bounds.hi.y, v.y)};
-  }
-  largest = std::max(std::max(-bounds.lo.x, bounds.hi.x), std::max(-bounds.lo.y, bounds.hi.y));
+  bounds = box_around(points);
+  largest = std::max(std::max(-bounds.lo_x, bounds.hi_x), std::max(-bounds.lo_y, bounds.hi_y));
 }
 
 DisplacedPolygon::DisplacedPolygon(std::vector<DisplacedPoint> vertices, std::vector<RingSpan> spans)

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/hull.hpp"
+#include "geometry/axis_box.hpp"
 
 namespace taut::internal {
 
@@ -49,7 +49,7 @@ struct DisplacedPolygon {
   std::vector<RingSpan> rings;
   /// Of each vertex, along its ring; empty like `rings`.
   std::vector<std::uint32_t> next, previous;
-  Bounds bounds;       ///< of the points before the displacement
+  AxisBox bounds;      ///< of the points before the displacement
   double largest = 0;  ///< magnitude of their coordinates
   /// The laws below do not hold: nothing may be asked of this polygon.
   std::optional<DisplacementFault> fault;

@@ -28,6 +28,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/axis_box.hpp"
 #include "geometry/displaced_orientation.hpp"
 #include "numeric/budget.hpp"
 #include "numeric/exact_sum.hpp"
@@ -36,21 +37,6 @@ namespace taut::internal {
 namespace {
 
 using Ring = std::vector<DisplacedPoint>;
-
-struct EdgeBounds {
-  double left = 0, right = 0, low = 0, high = 0;
-
-  /// Of an edge before and after the displacement.
-  static EdgeBounds of(const DisplacedPoint& a, const DisplacedPoint& b, double room) {
-    return {std::min(a.x, b.x) - room, std::max(a.x, b.x) + room, std::min(a.y, b.y) - room, std::max(a.y, b.y) + room};
-  }
-  static EdgeBounds both(const EdgeBounds& a, const EdgeBounds& b) {
-    return {std::min(a.left, b.left), std::max(a.right, b.right), std::min(a.low, b.low), std::max(a.high, b.high)};
-  }
-  friend bool meet(const EdgeBounds& a, const EdgeBounds& b) {
-    return a.left <= b.right && b.left <= a.right && a.low <= b.high && b.low <= a.high;
-  }
-};
 
 DisplacedPoint before_displacement(const DisplacedPoint& v) { return {v.x, v.y, 0, 0}; }
 
@@ -78,7 +64,7 @@ class RingCheck {
       const auto [i, j] = stack.back();
       stack.pop_back();
       const Node &a = nodes_[i], &b = nodes_[j];
-      if (!meet(a.bounds, b.bounds)) continue;
+      if (!a.bounds.meets(b.bounds)) continue;
       if (i == j) {
         if (a.count > 1) stack.insert(stack.end(), {{a.left, a.left}, {a.left, a.right}, {a.right, a.right}});
       } else if (a.count == 1 && b.count == 1) {
@@ -99,7 +85,7 @@ class RingCheck {
 
  private:
   struct Node {
-    EdgeBounds bounds;
+    AxisBox bounds;  ///< of edges before and after the displacement
     std::uint32_t first, count, left = 0, right = 0;
   };
 
@@ -144,14 +130,19 @@ class RingCheck {
     return may_meet(a, b, c, d);
   }
 
+  AxisBox edge_bounds(const DisplacedPoint& a, const DisplacedPoint& b) const {
+    return AxisBox({a.x, a.y}, {b.x, b.y}, room_);
+  }
+
   std::uint32_t build(std::uint32_t first, std::uint32_t count) {
     const auto index = static_cast<std::uint32_t>(nodes_.size());
-    nodes_.push_back({EdgeBounds::of(ring_[first], ring_[next(first)], room_), first, count});
+    nodes_.push_back({edge_bounds(ring_[first], ring_[next(first)]), first, count});
     if (count == 1) return index;
     const std::uint32_t left = build(first, count / 2), right = build(first + count / 2, count - count / 2);
     nodes_[index].left = left;
     nodes_[index].right = right;
-    nodes_[index].bounds = EdgeBounds::both(nodes_[left].bounds, nodes_[right].bounds);
+    nodes_[index].bounds = nodes_[left].bounds;
+    nodes_[index].bounds.include(nodes_[right].bounds);
     return index;
   }
 

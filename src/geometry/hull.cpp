@@ -79,18 +79,8 @@ double diameter_squared(const std::vector<Point>& points) {
   return best;
 }
 
-Bounds bounds(const std::vector<Point>& points) {
-  if (points.empty()) return {};
-  Bounds b{points[0], points[0]};
-  for (const Point& v : points) {
-    b.lo = {std::min(b.lo.x, v.x), std::min(b.lo.y, v.y)};
-    b.hi = {std::max(b.hi.x, v.x), std::max(b.hi.y, v.y)};
-  }
-  return b;
-}
-
-double diagonal(const Bounds& b) {
-  const double x = b.hi.x - b.lo.x, y = b.hi.y - b.lo.y, m = std::max(x, y);
+double diagonal(const AxisBox& box) {
+  const double x = box.width(), y = box.height(), m = std::max(x, y);
   return m > 0 ? m * std::sqrt((x / m) * (x / m) + (y / m) * (y / m)) : 0;
 }
 

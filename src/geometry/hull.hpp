@@ -21,12 +21,4 @@ int polygon_orientation(const Polygon& polygon);
 /// exactly, their distances are rounded (relative error below 2^-50). 0 for fewer than two points.
 double diameter_squared(const std::vector<Point>& points);
 
-/// The least rectangle along the axes that holds the points; at the origin if there are none.
-struct Bounds {
-  Point lo, hi;
-};
-Bounds bounds(const std::vector<Point>& points);
-/// The length of its diagonal (rounded).
-double diagonal(const Bounds& bounds);
-
 }  // namespace taut::internal

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/box_list.hpp"
+#include "geometry/box_tree.hpp"
 #include "geometry/predicates.hpp"
 #include "numeric/budget.hpp"
 
@@ -54,11 +54,11 @@ class MeetingSearch {
   }
 
   std::vector<std::array<CellId, 2>> run() {
-    std::vector<AxisBox> boxes(cells_.size());
-    for (std::size_t i = 0; i < cells_.size(); ++i) {
-      for (const Point& p : cells_[i].corners) boxes[i].add(p);
-    }
-    BoxList(boxes).meeting([this](std::size_t i, std::size_t k) { look_at(cells_[i], cells_[k]); });
+    std::vector<AxisBox> boxes;
+    for (const PlacedCell& cell : cells_) boxes.push_back(box_around(cell.corners));
+    BoxTree(boxes).each_two([this](int i, int k) {
+      look_at(cells_[static_cast<std::size_t>(std::min(i, k))], cells_[static_cast<std::size_t>(std::max(i, k))]);
+    });
     return std::move(found_);
   }
 

@@ -71,24 +71,20 @@ void require_rings_apart(const Part& part, const std::string& name) {
   }
 }
 
-bool within(const Bounds& inner, const Bounds& outer) {
-  return outer.lo.x <= inner.lo.x && inner.hi.x <= outer.hi.x && outer.lo.y <= inner.lo.y && inner.hi.y <= outer.hi.y;
-}
-
 }  // namespace
 
 void validate_holes(const Part& part, const std::string& name) {
   if (part.holes.empty()) return;
   require_rings_apart(part, name);
-  std::vector<Bounds> boxes;
-  for (const Polygon& hole : part.holes) boxes.push_back(bounds(hole));
+  std::vector<AxisBox> boxes;
+  for (const Polygon& hole : part.holes) boxes.push_back(box_around(hole));
   for (std::size_t i = 0; i < part.holes.size(); ++i) {
     if (side_of_ring(part.outline, part.holes[i][0]) <= 0)
       throw InputError(name + ": hole " + std::to_string(i + 1), "the hole lies outside of the outline",
                        "remove it, or make it a part of its own");
     for (std::size_t j = 0; j < part.holes.size(); ++j) {
       checkpoint();
-      if (i != j && within(boxes[j], boxes[i]) && side_of_ring(part.holes[i], part.holes[j][0]) > 0)
+      if (i != j && boxes[i].holds(boxes[j]) && side_of_ring(part.holes[i], part.holes[j][0]) > 0)
         throw InputError(name + ": hole " + std::to_string(j + 1), "the hole lies inside hole " + std::to_string(i + 1),
                          "remove it; what stands in a hole is a part of its own");
     }

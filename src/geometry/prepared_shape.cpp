@@ -1,5 +1,6 @@
 #include "geometry/prepared_shape.hpp"
 
+#include "geometry/hull.hpp"
 #include "taut/error.hpp"
 #include "taut/validate.hpp"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "geometry/box_list.hpp"
+#include "geometry/box_tree.hpp"
 #include "geometry/predicates.hpp"
 #include "numeric/budget.hpp"
 #include "numeric/dyadic.hpp"
@@ -94,11 +94,8 @@ class UnionBuilder {
 
   void find_crossings() {
     std::vector<AxisBox> boxes;
-    for (const Edge& e : edges_) {
-      boxes.emplace_back().add(e.a);
-      boxes.back().add(e.b);
-    }
-    BoxList(boxes).meeting([&](std::size_t i, std::size_t k) {
+    for (const Edge& e : edges_) boxes.emplace_back(e.a, e.b);
+    BoxTree(boxes).each_two([&](int i, int k) {
       checkpoint();
       note_crossing(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(k));
     });

@@ -6,39 +6,18 @@
 #include <cstddef>
 #include <vector>
 
-#include "taut/geometry.hpp"
+#include "geometry/axis_box.hpp"
 
 namespace taut::internal {
-
-/// A box along the axes.
-struct SegmentBox {
-  double lo_x = 0, lo_y = 0, hi_x = 0, hi_y = 0;
-
-  SegmentBox() = default;
-  SegmentBox(const Point& a, const Point& b, double margin = 0)
-      : lo_x(std::min(a.x, b.x) - margin),
-        lo_y(std::min(a.y, b.y) - margin),
-        hi_x(std::max(a.x, b.x) + margin),
-        hi_y(std::max(a.y, b.y) + margin) {}
-  bool meets(const SegmentBox& o) const { return lo_x <= o.hi_x && o.lo_x <= hi_x && lo_y <= o.hi_y && o.lo_y <= hi_y; }
-  bool holds(const SegmentBox& o) const { return lo_x <= o.lo_x && lo_y <= o.lo_y && hi_x >= o.hi_x && hi_y >= o.hi_y; }
-  void include(const SegmentBox& o) {
-    lo_x = std::min(lo_x, o.lo_x);
-    lo_y = std::min(lo_y, o.lo_y);
-    hi_x = std::max(hi_x, o.hi_x);
-    hi_y = std::max(hi_y, o.hi_y);
-  }
-  double extent() const { return std::max(hi_x - lo_x, hi_y - lo_y); }
-};
 
 /// Boxes sorted into strips of equal height, and in each strip by their left ends. A box is in every strip that it
 /// meets. Short segments spread over the plane cost about the same whatever their number.
 class SegmentStrips {
  public:
-  explicit SegmentStrips(std::vector<SegmentBox> boxes) : boxes_(std::move(boxes)) {
+  explicit SegmentStrips(std::vector<AxisBox> boxes) : boxes_(std::move(boxes)) {
     if (boxes_.empty()) return;
     around_ = boxes_.front();
-    for (const SegmentBox& box : boxes_) around_.include(box);
+    for (const AxisBox& box : boxes_) around_.include(box);
     const double count = std::clamp(std::sqrt(static_cast<double>(boxes_.size())), 1.0, 1024.0);
     strips_.resize(static_cast<std::size_t>(count));
     for (std::size_t i = 0; i < boxes_.size(); ++i)
@@ -60,9 +39,9 @@ class SegmentStrips {
     for (std::size_t s = 0; s < strips_.size(); ++s) {
       const std::vector<std::size_t>& strip = strips_[s];
       for (std::size_t k = 0; k < strip.size(); ++k) {
-        const SegmentBox& box = boxes_[strip[k]];
+        const AxisBox& box = boxes_[strip[k]];
         for (std::size_t m = k + 1; m < strip.size() && boxes_[strip[m]].lo_x <= box.hi_x; ++m) {
-          const SegmentBox& other = boxes_[strip[m]];
+          const AxisBox& other = boxes_[strip[m]];
           // Two boxes share several strips: the first of these counts.
           if (box.meets(other) && strip_of(std::max(box.lo_y, other.lo_y)) == s) visit(strip[k], strip[m]);
         }
@@ -82,14 +61,14 @@ class SegmentStrips {
                                                   [this](double x, std::size_t i) { return x < boxes_[i].lo_x; }) -
                                  strip.begin());
     for (double bound = -INFINITY; k > 0 && reach[k - 1] >= bound; --k) {
-      const SegmentBox& box = boxes_[strip[k - 1]];
+      const AxisBox& box = boxes_[strip[k - 1]];
       if (box.lo_y <= p.y && p.y <= box.hi_y) bound = visit(strip[k - 1]);
     }
   }
 
   /// Calls visit(i) once for each box that meets `box`.
   template <class Visit>
-  void each_near(const SegmentBox& box, const Visit& visit) const {
+  void each_near(const AxisBox& box, const Visit& visit) const {
     if (strips_.empty()) return;
     for (std::size_t s = strip_of(box.lo_y); s <= strip_of(box.hi_y); ++s) {
       // Those before end left of the box.
@@ -109,8 +88,8 @@ class SegmentStrips {
     return static_cast<std::size_t>(std::clamp(std::floor((y - around_.lo_y) / height * (last + 1)), 0.0, last));
   }
 
-  std::vector<SegmentBox> boxes_;
-  SegmentBox around_;
+  std::vector<AxisBox> boxes_;
+  AxisBox around_;
   std::vector<std::vector<std::size_t>> strips_;
   std::vector<std::vector<double>> reach_;  ///< how far right the boxes of a strip reach, up to each of them
 };

@@ -1,4 +1,5 @@
 #include "geometry/shape_facts.hpp"
+#include "geometry/hull.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +23,7 @@ ShapeFacts facts_of(const Polygon& polygon) {
       facts.largest = std::max(facts.largest, c);
     }
   }
-  facts.bounds = bounds(polygon);
+  facts.bounds = box_around(polygon);
   return facts;
 }
 

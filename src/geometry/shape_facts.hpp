@@ -1,7 +1,7 @@
 // What scenes need to know of a polygon that depends on nothing else.
 #pragma once
 
-#include "geometry/hull.hpp"
+#include "geometry/axis_box.hpp"
 
 namespace taut::internal {
 
@@ -10,7 +10,7 @@ struct ShapeFacts {
   std::uint32_t first = 0;        ///< the lexicographically smallest vertex, a strict corner of the hull
   bool reversed = false;          ///< the vertices run clockwise
   double least = 0, largest = 0;  ///< magnitudes of the coordinates that are not zero; infinite and 0 if all are
-  Bounds bounds;
+  AxisBox bounds;
 
   /// Vertex k of the polygon counterclockwise, from `first` on, as an index of the input.
   std::uint32_t vertex(std::uint32_t k) const { return reversed ? (first + size - k) % size : (first + k) % size; }

@@ -126,7 +126,7 @@ void Subdivision::find_faces() {
   for (int h = 0; h < half_edges(); ++h)
     if (!outside[static_cast<std::size_t>(h)] && faces_[static_cast<std::size_t>(h)] < 0) mark(h, face_count_++);
   if (outer.size() == 1) return mark(outer[0], 0);
-  std::vector<SegmentBox> boxes;
+  std::vector<AxisBox> boxes;
   for (const SubdivisionEdge& e : edges_) boxes.emplace_back(point(e.from), point(e.to));
   const SegmentStrips strips(std::move(boxes));
   // What is left of a component's least node belongs to one that begins farther left, and has its face by then.

@@ -17,7 +17,7 @@ namespace {
 
 /// Is p on the segment, but not one of its ends?
 bool inside_of_segment(const Point& a, const Point& b, const Point& p) {
-  return p != a && p != b && SegmentBox(a, b).meets(SegmentBox(p, p)) && orientation(a, b, p) == 0;
+  return p != a && p != b && AxisBox(a, b).meets(AxisBox(p, p)) && orientation(a, b, p) == 0;
 }
 
 /// Do two segments meet otherwise than at ends, or along a line?
@@ -64,7 +64,7 @@ class RingCutter {
       std::size_t ring, index;
     };
     std::vector<EdgePlace> edges;
-    std::vector<SegmentBox> boxes;
+    std::vector<AxisBox> boxes;
     for (std::size_t r = 0; r < rings_.size(); ++r) {
       if (rings_[r].size() < 3) return false;
       for (std::size_t i = 0; i < rings_[r].size(); ++i) {
@@ -210,10 +210,10 @@ class RingCutter {
   }
 
   bool visible(const Point& q, const Point& r) const {
-    const SegmentBox box(q, r);
+    const AxisBox box(q, r);
     return std::none_of(edges_.begin(), edges_.end(), [&](const SubdivisionEdge& e) {
       const Point &a = nodes_[static_cast<std::size_t>(e.from)], &b = nodes_[static_cast<std::size_t>(e.to)];
-      if (!SegmentBox(a, b).meets(box)) return false;
+      if (!AxisBox(a, b).meets(box)) return false;
       return meet_badly(a, b, q, r) || inside_of_segment(q, r, a) || inside_of_segment(q, r, b);
     });
   }

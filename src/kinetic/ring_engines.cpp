@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "certificate/instant_order.hpp"
+#include "geometry/hull.hpp"
 #include "numeric/errors.hpp"
 #include "scene/placement.hpp"
 #include "tiling/shape_tiling.hpp"

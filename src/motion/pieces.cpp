@@ -94,13 +94,13 @@ bool same_motion(const MotionPiece& a, const MotionPiece& b) {
          (!orbits(a) || a.orbit.centre == b.orbit.centre);
 }
 
-double joint_gap(const MotionPiece& before, const MotionPiece& after, const Bounds& polygon, double t) {
+double joint_gap(const MotionPiece& before, const MotionPiece& after, const AxisBox& polygon, double t) {
   const Pose<double> a = sharp_pose(before, t), b = sharp_pose(after, t);
   const double ox = b.ox.v.mid - a.ox.v.mid, oy = b.oy.v.mid - a.oy.v.mid;
   const double xx = b.xx.v.mid - a.xx.v.mid, xy = b.xy.v.mid - a.xy.v.mid;
   double gap = 0;
-  for (const double x : {polygon.lo.x, polygon.hi.x}) {
-    for (const double y : {polygon.lo.y, polygon.hi.y})
+  for (const double x : {polygon.lo_x, polygon.hi_x}) {
+    for (const double y : {polygon.lo_y, polygon.hi_y})
       gap = std::max(gap, length(ox + xx * x - xy * y, oy + xy * x + xx * y));
   }
   return gap;
@@ -116,10 +116,10 @@ double magnitude_of(const Coefficients& c, double t) {
 }
 
 /// Of all that is added up to where a piece puts a corner of the polygon's bounds.
-double magnitude_of(const MotionPiece& piece, const Bounds& polygon, double t) {
+double magnitude_of(const MotionPiece& piece, const AxisBox& polygon, double t) {
   const Point c = pivot_of(piece);
-  const double turned = std::max(std::fabs(polygon.lo.x), std::fabs(polygon.hi.x)) +
-                        std::max(std::fabs(polygon.lo.y), std::fabs(polygon.hi.y)) + std::fabs(c.x) + std::fabs(c.y);
+  const double turned = std::max(std::fabs(polygon.lo_x), std::fabs(polygon.hi_x)) +
+                        std::max(std::fabs(polygon.lo_y), std::fabs(polygon.hi_y)) + std::fabs(c.x) + std::fabs(c.y);
   t -= piece.origin;
   const auto* angle = std::get_if<AngleRotation>(&piece.rotation);
   const double turn = angle ? magnitude_of(angle->angle, t) : 0;
@@ -132,7 +132,8 @@ double magnitude_of(const MotionPiece& piece, const Bounds& polygon, double t) {
 
 }  // namespace
 
-double joint_room(const MotionPiece& before, const MotionPiece& after, const Bounds& polygon, double t, double extent) {
+double joint_room(const MotionPiece& before, const MotionPiece& after, const AxisBox& polygon, double t,
+                  double extent) {
   return joint_tolerance * extent +
          joint_rounding * (magnitude_of(before, polygon, t) + magnitude_of(after, polygon, t));
 }

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/hull.hpp"
+#include "geometry/axis_box.hpp"
 #include "taut/scene.hpp"
 
 namespace taut::internal {
@@ -37,15 +37,15 @@ bool same_motion(const MotionPiece& a, const MotionPiece& b);
 /// Throws InputError unless the motion is well defined on [start, end] (pieces in order and covering the interval,
 /// degrees within max_degree, directions that do not vanish, cosines within [-1, 1]) and its pieces join up to
 /// joint_room() for every point within the bounds of the polygon.
-void validate_motion(const Motion& motion, const std::string& body, const Bounds& polygon, double start, double end,
+void validate_motion(const Motion& motion, const std::string& body, const AxisBox& polygon, double start, double end,
                      double extent);
 
 /// The largest distance between where two pieces put a corner of the polygon's bounds at time t.
-double joint_gap(const MotionPiece& before, const MotionPiece& after, const Bounds& polygon, double t);
+double joint_gap(const MotionPiece& before, const MotionPiece& after, const AxisBox& polygon, double t);
 
 /// How far such a corner may jump: a share of the scene's extent, and what the rounding of the pieces' coefficients
 /// amounts to, which is the larger of the two for a small body that is far from the origin.
-double joint_room(const MotionPiece& before, const MotionPiece& after, const Bounds& polygon, double t, double extent);
+double joint_room(const MotionPiece& before, const MotionPiece& after, const AxisBox& polygon, double t, double extent);
 
 /// The share of the extent.
 inline constexpr double joint_tolerance = 1e-6;

@@ -98,7 +98,7 @@ class PieceCheck {
 
 }  // namespace
 
-void validate_motion(const Motion& motion, const std::string& body, const Bounds& polygon, double start, double end,
+void validate_motion(const Motion& motion, const std::string& body, const AxisBox& polygon, double start, double end,
                      double extent) {
   const std::size_t n = motion.pieces.size();
   const auto place = [&](std::size_t i) {

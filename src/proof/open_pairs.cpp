@@ -41,17 +41,17 @@ class BegunIntervals {
 WindowBoxes::WindowBoxes(const VerifierScene& scene, double room) : room_(room * (1 + 0x1p-40)) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   for (int i = 0; i < scene.size(); ++i) {
-    const Bounds& b = scene[i].rings->bounds();
+    const AxisBox& b = scene[i].rings->bounds();
     rests_.push_back(scene[i].rests());
-    boxes_.push_back(rests_.back() ? BoxedBody{b.lo.x, b.lo.y, b.hi.x, b.hi.y}
-                                   : BoxedBody{-infinite, -infinite, infinite, infinite});
+    boxes_.push_back(rests_.back() ? AxisBox{b.lo_x, b.lo_y, b.hi_x, b.hi_y}
+                                   : AxisBox{-infinite, -infinite, infinite, infinite});
   }
 }
 
 /// Are boxes shorter along x than along y, relative to how far they are spread?
 bool WindowBoxes::sweep_along_x() const {
   double long_x = 0, long_y = 0, lo_x = INFINITY, lo_y = INFINITY, hi_x = -INFINITY, hi_y = -INFINITY;
-  for (const BoxedBody& b : boxes_) {
+  for (const AxisBox& b : boxes_) {
     if (!std::isfinite(b.lo_x + b.hi_x + b.lo_y + b.hi_y)) continue;
     long_x += b.hi_x - b.lo_x;
     long_y += b.hi_y - b.lo_y;
@@ -68,7 +68,7 @@ std::optional<BodyPairs> WindowBoxes::meeting(const VerifierScene& scene, std::s
   std::vector<Swept> order;
   for (int i = 0; i < scene.size(); ++i) {
     if (scene.ignores(i)) continue;
-    const BoxedBody& b = of(i);
+    const AxisBox& b = of(i);
     // A little longer than it is, so that bodies at rest are seen that are within the room of each other.
     order.push_back({along_x ? b.lo_x : b.lo_y, (along_x ? b.hi_x : b.hi_y) + 2 * room_, i});
   }

@@ -27,8 +27,8 @@ class WindowBoxes {
   /// `room` as stays_within() wants it.
   WindowBoxes(const VerifierScene& scene, double room);
 
-  const BoxedBody& of(int body) const { return boxes_[static_cast<std::size_t>(body)]; }
-  void state(int body, const BoxedBody& box) { boxes_[static_cast<std::size_t>(body)] = box; }
+  const AxisBox& of(int body) const { return boxes_[static_cast<std::size_t>(body)]; }
+  void state(int body, const AxisBox& box) { boxes_[static_cast<std::size_t>(body)] = box; }
   /// Those of two bodies. Boxes that are stated have room around the body; those of two bodies at rest need it here.
   bool meet(int a, int b) const {
     const bool rest = rests_[static_cast<std::size_t>(a)] && rests_[static_cast<std::size_t>(b)];
@@ -40,17 +40,17 @@ class WindowBoxes {
 
  private:
   bool sweep_along_x() const;
-  bool within_room(const BoxedBody& a, const BoxedBody& b) const {
+  bool within_room(const AxisBox& a, const AxisBox& b) const {
     const auto near = [this](double lo, double hi) { return !(lo - hi > room_); };
     return near(a.lo_x, b.hi_x) && near(b.lo_x, a.hi_x) && near(a.lo_y, b.hi_y) && near(b.lo_y, a.hi_y);
   }
 
   double room_;  ///< with what rounds
-  std::vector<BoxedBody> boxes_;
+  std::vector<AxisBox> boxes_;
   std::vector<bool> rests_;
 };
 
-inline BoxedBody as_doubles(const StatedBox& b) { return {b.lo_x, b.lo_y, b.hi_x, b.hi_y}; }
+inline AxisBox as_doubles(const StatedBox& b) { return {b.lo_x, b.lo_y, b.hi_x, b.hi_y}; }
 
 /// The bodies that move and are in any of the pairs, in order; where all pairs are open, all that move.
 std::vector<int> moving_bodies(const VerifierScene& scene, const OpenPairs& open);

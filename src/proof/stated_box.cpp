@@ -20,20 +20,20 @@ Ball<double> over_stretch(const Jet<double>& middle, const Jet<double>& over, do
   return by_slope.rad <= over.v.rad ? by_slope : over.v;
 }
 
-bool contains(const BoxedBody& all, const BoxedBody& b) {
+bool contains(const AxisBox& all, const AxisBox& b) {
   return b.lo_x >= all.lo_x && b.lo_y >= all.lo_y && b.hi_x <= all.hi_x && b.hi_y <= all.hi_y;
 }
 
 /// A body while every motion of its chain follows one piece.
 class BodyReach {
  public:
-  explicit BodyReach(const Bounds& bounds)
-      : middle_{(bounds.lo.x + bounds.hi.x) / 2, (bounds.lo.y + bounds.hi.y) / 2},
-        half_wide_((bounds.hi.x - bounds.lo.x) / 2),
-        half_high_((bounds.hi.y - bounds.lo.y) / 2) {}
+  explicit BodyReach(const AxisBox& bounds)
+      : middle_{(bounds.lo_x + bounds.hi_x) / 2, (bounds.lo_y + bounds.hi_y) / 2},
+        half_wide_((bounds.hi_x - bounds.lo_x) / 2),
+        half_high_((bounds.hi_y - bounds.lo_y) / 2) {}
 
   /// A box that it stays in; with numbers that are none where the motion is singular.
-  BoxedBody over(const PieceChain& chain, double from, double to) const {
+  AxisBox over(const PieceChain& chain, double from, double to) const {
     const auto [at, whole, half] = poses_over(chain, middle_, from, to);
     const Ball<double> x = over_stretch(at.ox, whole.ox, half), y = over_stretch(at.oy, whole.oy, half);
     // The rectangle as it is turned lies in a rectangle along the axes, and in a disc.
@@ -45,7 +45,7 @@ class BodyReach {
     return {x.mid - to_x, y.mid - to_y, x.mid + to_x, y.mid + to_y};
   }
   /// Does it stay within the box, as far as some halvings show?
-  bool within(const BoxedBody& box, const PieceChain& chain, double from, double to, int halvings) const {
+  bool within(const AxisBox& box, const PieceChain& chain, double from, double to, int halvings) const {
     checkpoint();
     if (contains(box, over(chain, from, to))) return true;
     const double m = from + (to - from) / 2;
@@ -91,7 +91,7 @@ bool all_stretches(const MotionChain& motions, const WorldTime& time, const Visi
 }
 
 /// Without the room, and what rounding it off may add.
-BoxedBody shrunk(const StatedBox& b, double room) {
+AxisBox shrunk(const StatedBox& b, double room) {
   const auto less = [room](double side, int away) {
     return std::isinf(side) ? side : side + away * (room + 0x1p-50 * (std::fabs(side) + room));
   };
@@ -109,19 +109,19 @@ StatedBox read_box(ByteReader& in) {
 
 bool stays_within(const VerifierBody& body, const WorldTime& time, double room, const StatedBox& box) {
   const BodyReach reach(body.rings->bounds());
-  const BoxedBody inner = shrunk(box, room);
+  const AxisBox inner = shrunk(box, room);
   return all_stretches(body.motions, time, [&](const PieceChain& chain, double from, double to, int halvings) {
     return reach.within(inner, chain, from, to, halvings);
   });
 }
 
-bool has_room(const StatedBox& box, double room, const BoxedBody& reach) { return contains(shrunk(box, room), reach); }
+bool has_room(const StatedBox& box, double room, const AxisBox& reach) { return contains(shrunk(box, room), reach); }
 
-std::optional<BoxedBody> box_around(const VerifierBody& body, const WorldTime& time) {
+std::optional<AxisBox> box_around(const VerifierBody& body, const WorldTime& time) {
   const BodyReach reach(body.rings->bounds());
-  BoxedBody all{INFINITY, INFINITY, -INFINITY, -INFINITY};
+  AxisBox all{INFINITY, INFINITY, -INFINITY, -INFINITY};
   const bool known = all_stretches(body.motions, time, [&](const PieceChain& chain, double from, double to, int) {
-    const BoxedBody b = reach.over(chain, from, to);
+    const AxisBox b = reach.over(chain, from, to);
     all = {std::min(all.lo_x, b.lo_x), std::min(all.lo_y, b.lo_y), std::max(all.hi_x, b.hi_x),
            std::max(all.hi_y, b.hi_y)};
     return std::isfinite(b.lo_x + b.lo_y + b.hi_x + b.hi_y);

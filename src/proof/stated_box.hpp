@@ -4,6 +4,7 @@
 #include <limits>
 #include <optional>
 
+#include "geometry/axis_box.hpp"
 #include "proof/bytes.hpp"
 #include "proof/verifier_scene.hpp"
 
@@ -27,14 +28,6 @@ struct StatedBox {
   float hi_x = std::numeric_limits<float>::infinity(), hi_y = hi_x;
 };
 
-/// What all comparisons are made with: a stated box, or the box around a body at rest, as doubles.
-struct BoxedBody {
-  double lo_x, lo_y, hi_x, hi_y;
-
-  double longest() const { return hi_x - lo_x > hi_y - lo_y ? hi_x - lo_x : hi_y - lo_y; }
-  bool meets(const BoxedBody& o) const { return lo_x <= o.hi_x && o.lo_x <= hi_x && lo_y <= o.hi_y && o.lo_y <= hi_y; }
-};
-
 /// Around a box has to be so much room, besides the margin: far more than any vertex is displaced by, so that bodies
 /// whose boxes do not meet do not meet however they are displaced.
 inline constexpr double box_room = 0x1p-60;
@@ -47,10 +40,10 @@ StatedBox read_box(ByteReader& in);
 /// bodies go straight to where they are after it. False where that is so, but by so little that doubles do not decide.
 bool stays_within(const VerifierBody& body, const WorldTime& time, double room, const StatedBox& box);
 
-/// A box in which the body, without room around it, stays; nothing where its motion is too wild to decide.
-std::optional<BoxedBody> box_around(const VerifierBody& body, const WorldTime& time);
+/// A box in which the body, without room around it, stays. Nothing where its motion is too wild to decide.
+std::optional<AxisBox> box_around(const VerifierBody& body, const WorldTime& time);
 
 /// Does what is nearer than `room` to such a box stay within a stated one? Then stays_within() says so of the body.
-bool has_room(const StatedBox& box, double room, const BoxedBody& reach);
+bool has_room(const StatedBox& box, double room, const AxisBox& reach);
 
 }  // namespace taut::internal::proof

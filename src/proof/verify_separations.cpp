@@ -92,7 +92,7 @@ class SeparationsVerifier {
     const std::uint8_t kind = in_.u8();
     if (kind > 1) throw ProofError("a window of an unknown kind");
     if (kind == 0) return halves(time, open, depth);
-    const std::vector<std::pair<int, BoxedBody>> before = stated_boxes(time, open);
+    const std::vector<std::pair<int, AxisBox>> before = stated_boxes(time, open);
     OpenPairs left;
     left.listed.emplace();
     // Each of them takes a byte, at least: no more are listed than the log can speak of.
@@ -122,8 +122,8 @@ class SeparationsVerifier {
   }
 
   /// Reads the boxes that hold in this window; returns what they take the place of.
-  std::vector<std::pair<int, BoxedBody>> stated_boxes(const WorldTime& time, const OpenPairs& open) {
-    std::vector<std::pair<int, BoxedBody>> before;
+  std::vector<std::pair<int, AxisBox>> stated_boxes(const WorldTime& time, const OpenPairs& open) {
+    std::vector<std::pair<int, AxisBox>> before;
     for (const int body : moving_bodies(verifier_scene_, open)) {
       checkpoint();
       const std::uint8_t stated = in_.u8();

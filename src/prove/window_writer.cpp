@@ -13,7 +13,6 @@ namespace taut::internal {
 namespace {
 
 using proof::BodyPairs;
-using proof::BoxedBody;
 using proof::OpenPairs;
 using proof::StatedBox;
 using proof::WorldTime;
@@ -38,14 +37,14 @@ float not_below(double x) { return -not_above(-x); }
 
 /// Enlarges the box along each axis by a share of its length: the box of a body that moves along a lane stays within
 /// the lane.
-StatedBox around(const BoxedBody& b, double room) {
+StatedBox around(const AxisBox& b, double room) {
   const double least = room + 0x1p-40 * (std::fabs(b.lo_x) + std::fabs(b.hi_x) + std::fabs(b.lo_y) + std::fabs(b.hi_y));
   const double x = least + share_of_room * (b.hi_x - b.lo_x), y = least + share_of_room * (b.hi_y - b.lo_y);
   return {not_above(b.lo_x - x), not_above(b.lo_y - y), not_below(b.hi_x + x), not_below(b.hi_y + y)};
 }
 
 /// The intersection of both boxes. The borders of the second are those of stated boxes, so that nothing is rounded.
-StatedBox within(const StatedBox& a, const BoxedBody& b) {
+StatedBox within(const StatedBox& a, const AxisBox& b) {
   return {std::max(a.lo_x, static_cast<float>(b.lo_x)), std::max(a.lo_y, static_cast<float>(b.lo_y)),
           std::min(a.hi_x, static_cast<float>(b.hi_x)), std::min(a.hi_y, static_cast<float>(b.hi_y))};
 }
@@ -68,16 +67,16 @@ WindowWriter::WindowWriter(const proof::VerifierScene& scene, double room, const
       boxes_(scene, room),
       fresh_(static_cast<std::size_t>(scene.size())) {
   for (int i = 0; i < scene.size(); ++i) {
-    const Bounds& b = scene[i].rings->bounds();
+    const AxisBox& b = scene[i].rings->bounds();
     sizes_.push_back(diagonal(b));
-    fresh_[static_cast<std::size_t>(i)].reach = {b.lo.x, b.lo.y, b.hi.x, b.hi.y};
+    fresh_[static_cast<std::size_t>(i)].reach = {b.lo_x, b.lo_y, b.hi_x, b.hi_y};
   }
 }
 
 WindowWriter::Fresh WindowWriter::fresh_box(int body, const WorldTime& time) const {
   checkpoint();
   constexpr double infinite = std::numeric_limits<double>::infinity();
-  const std::optional<BoxedBody> reach = proof::box_around(scene_[body], time);
+  const std::optional<AxisBox> reach = proof::box_around(scene_[body], time);
   if (!reach) return {{-infinite, -infinite, infinite, infinite}, {}};
   const StatedBox box = around(*reach, room_);
   // Doubles do not decide, for example if coordinates are beyond the range of single precision.
@@ -151,7 +150,7 @@ void WindowWriter::window(const WorldTime& time, const OpenPairs& open, int dept
   out_.push_back(1);
   const OpenPairs looked_at = open.all() && few ? OpenPairs{*boxes_.meeting(scene_)} : open;
   const std::vector<bool> worth = worth_stating(moving, looked_at);
-  std::vector<std::pair<int, BoxedBody>> before;
+  std::vector<std::pair<int, AxisBox>> before;
   for (std::size_t k = 0; k < moving.size(); ++k) {
     const auto& box = fresh_[static_cast<std::size_t>(moving[k])].box;
     out_.push_back(box && worth[k] ? 1 : 0);

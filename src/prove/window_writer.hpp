@@ -26,7 +26,7 @@ class WindowWriter {
  private:
   /// The possible positions of a body in the current window.
   struct Fresh {
-    proof::BoxedBody reach;
+    AxisBox reach;
     std::optional<proof::StatedBox> box;  ///< the box to be stated, if there is one
   };
 

@@ -43,10 +43,10 @@ double largest_jump(const Scene& polygons) {
   const Instance instance(polygons);
   double largest = 0, reach = 0;
   for (const InstanceBody& body : instance.bodies()) {
-    const Bounds& box = body.rings->bounds();
+    const AxisBox& box = body.rings->bounds();
     const auto corner_at = [&](double of, double t, int corner) {
       const Pose<double> pose = pose_of<Jet<double>>(pieces_at(body.motions, of), Ball<double>::exact(t));
-      const Vector p{corner & 1 ? box.hi.x : box.lo.x, corner & 2 ? box.hi.y : box.lo.y};
+      const Vector p{corner & 1 ? box.hi_x : box.lo_x, corner & 2 ? box.hi_y : box.lo_y};
       return Vector{pose.ox.v.mid, pose.oy.v.mid} + Vector{pose.xx.v.mid, pose.xy.v.mid} * p;
     };
     for (const PieceList& motion : body.motions) {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "geometry/box_list.hpp"
+#include "geometry/box_tree.hpp"
 #include "geometry/vector.hpp"
 #include "scene/ring_set.hpp"
 #include "taut/pose.hpp"
@@ -71,13 +71,15 @@ class CellsAtPose {
     }
     std::vector<AxisBox> boxes;
     for (const CellAtPose& cell : cells_) boxes.push_back(cell.box);
-    around_ = BoxList(boxes);
+    around_ = BoxTree(boxes);
   }
 
   /// Visits pairs of cells whose boxes are at most `reach` apart.
   template <class Visit>
   static void near(CellsAtPose& a, CellsAtPose& b, double reach, const Visit& visit) {
-    a.around_.near(b.around_, reach, [&](std::size_t i, std::size_t k) { visit(a.cells_[i], b.cells_[k]); });
+    a.around_.each_near(b.around_, reach, [&](int i, int k) {
+      visit(a.cells_[static_cast<std::size_t>(i)], b.cells_[static_cast<std::size_t>(k)]);
+    });
   }
 
   Vector posed(const Point& p) const {
@@ -98,14 +100,14 @@ class CellsAtPose {
     for (const Point& p : corners) {
       const Vector at = posed(p);
       cell.corners.push_back(at);
-      cell.box.add(AxisBox{at.x - thickness, at.y - thickness, at.x + thickness, at.y + thickness});
+      cell.box.include(AxisBox({at.x, at.y}, {at.x, at.y}, thickness));
     }
     cells_.push_back(std::move(cell));
   }
 
   const BodyPose& pose_;
   std::vector<CellAtPose> cells_;
-  BoxList around_;
+  BoxTree around_;
 };
 
 /// Three points on a curve, its ends and its middle, or on an edge.

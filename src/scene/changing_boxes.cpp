@@ -5,7 +5,7 @@
 
 namespace taut::internal {
 
-ChangingBoxes::ChangingBoxes(std::vector<int> bodies, std::vector<SweptBox> boxes)
+ChangingBoxes::ChangingBoxes(std::vector<int> bodies, std::vector<AxisBox> boxes)
     : bodies_(std::move(bodies)), boxes_(std::move(boxes)) {}
 
 std::size_t ChangingBoxes::place(int body) const {
@@ -17,7 +17,7 @@ bool ChangingBoxes::has(int body) const {
   return k < bodies_.size() && bodies_[k] == body;
 }
 
-void ChangingBoxes::set(int body, const SweptBox& box) { since_[body] = box; }
+void ChangingBoxes::set(int body, const AxisBox& box) { since_[body] = box; }
 
 void ChangingBoxes::remove(int body) {
   if (has(body)) {
@@ -27,12 +27,12 @@ void ChangingBoxes::remove(int body) {
   }
 }
 
-const SweptBox& ChangingBoxes::box(int body) const {
+const AxisBox& ChangingBoxes::box(int body) const {
   const auto changed = since_.find(body);
   return changed == since_.end() ? boxes_[place(body)] : *changed->second;
 }
 
-std::vector<int> ChangingBoxes::find(const SweptBox& box) {
+std::vector<int> ChangingBoxes::find(const AxisBox& box) {
   // Looking through what has changed, and making a tree once in so many changes, then cost about the same.
   if (!tree_ || since_.size() * since_.size() > 64 * (bodies_.size() + 64)) make_tree();
   std::vector<int> found;
@@ -48,7 +48,7 @@ std::vector<int> ChangingBoxes::find(const SweptBox& box) {
 }
 
 void ChangingBoxes::make_tree() {
-  std::vector<std::pair<int, SweptBox>> now;
+  std::vector<std::pair<int, AxisBox>> now;
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
     if (since_.count(bodies_[k]) == 0) now.emplace_back(bodies_[k], boxes_[k]);
   }

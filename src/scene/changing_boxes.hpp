@@ -5,7 +5,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "scene/box_tree.hpp"
+#include "geometry/box_tree.hpp"
 
 namespace taut::internal {
 
@@ -15,14 +15,14 @@ class ChangingBoxes {
  public:
   ChangingBoxes() = default;
   /// Bodies in order, and the box of each.
-  ChangingBoxes(std::vector<int> bodies, std::vector<SweptBox> boxes);
+  ChangingBoxes(std::vector<int> bodies, std::vector<AxisBox> boxes);
 
-  void set(int body, const SweptBox& box);
+  void set(int body, const AxisBox& box);
   void remove(int body);
   /// Of a body that is there.
-  const SweptBox& box(int body) const;
+  const AxisBox& box(int body) const;
   /// The bodies whose boxes meet it, in order.
-  std::vector<int> find(const SweptBox& box);
+  std::vector<int> find(const AxisBox& box);
 
  private:
   std::size_t place(int body) const;
@@ -30,9 +30,9 @@ class ChangingBoxes {
   void make_tree();
 
   std::vector<int> bodies_;
-  std::vector<SweptBox> boxes_;
-  std::optional<BoxTree> tree_;                             ///< over these
-  std::unordered_map<int, std::optional<SweptBox>> since_;  ///< what holds instead; none for a body that went
+  std::vector<AxisBox> boxes_;
+  std::optional<BoxTree> tree_;                            ///< over these
+  std::unordered_map<int, std::optional<AxisBox>> since_;  ///< what holds instead; none for a body that went
 };
 
 }  // namespace taut::internal

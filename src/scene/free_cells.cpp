@@ -15,7 +15,7 @@ constexpr double fewest_cells = 128, most_cells = 1024, cells_by_edges = 16;
 
 FreeCells::FreeCells(const std::vector<SharedRings>& bodies) {
   std::vector<BoundaryEdge> edges;
-  std::vector<SweptBox> outlines;
+  std::vector<AxisBox> outlines;
   lo_x_ = lo_y_ = INFINITY;
   hi_x_ = hi_y_ = -INFINITY;
   for (std::size_t k = 0; k < bodies.size(); ++k) {
@@ -97,7 +97,7 @@ void FreeCells::draw(const BoundaryEdge& e) {
   }
 }
 
-void FreeCells::outlines_in(const SweptBox& box, std::vector<int>& bodies) const {
+void FreeCells::outlines_in(const AxisBox& box, std::vector<int>& bodies) const {
   const auto begin = static_cast<std::ptrdiff_t>(bodies.size());
   outlines_.find(box, bodies);
   for (auto k = bodies.begin() + begin; k != bodies.end(); ++k) *k = outline_of_[static_cast<std::size_t>(*k)];

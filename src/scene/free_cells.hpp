@@ -7,7 +7,7 @@
 #include <mutex>
 #include <vector>
 
-#include "scene/box_tree.hpp"
+#include "geometry/box_tree.hpp"
 #include "scene/instance.hpp"
 
 namespace taut::internal {
@@ -30,7 +30,7 @@ class FreeCells {
     return i < width_ && j < height_ ? cells_[j * width_ + i] : Cell::mixed;
   }
   /// Adds the bodies of which an outline has its first vertex in the box, in order.
-  void outlines_in(const SweptBox& box, std::vector<int>& bodies) const;
+  void outlines_in(const AxisBox& box, std::vector<int>& bodies) const;
 
  private:
   struct BoundaryEdge {

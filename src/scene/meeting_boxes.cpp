@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
+#include "geometry/box_tree.hpp"
 #include "numeric/budget.hpp"
-#include "scene/box_tree.hpp"
 
 namespace taut::internal {
 
-bool is_long(const Instance& instance, int a, const SweptBox& box_a, int b, const SweptBox& box_b) {
+bool is_long(const Instance& instance, int a, const AxisBox& box_a, int b, const AxisBox& box_b) {
   const auto size = [&](int k) { return instance.bodies()[static_cast<std::size_t>(k)].rings->diagonal(); };
   return is_long(box_a, box_b, size(a) + size(b));
 }

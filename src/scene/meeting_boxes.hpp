@@ -10,7 +10,7 @@
 namespace taut::internal {
 
 /// Over half of the window that the boxes are for, would those of the two bodies be much shorter?
-bool is_long(const Instance& instance, int a, const SweptBox& box_a, int b, const SweptBox& box_b);
+bool is_long(const Instance& instance, int a, const AxisBox& box_a, int b, const AxisBox& box_b);
 
 /// Some bodies of a world, and their boxes over a window.
 class MeetingBoxes {
@@ -23,7 +23,7 @@ class MeetingBoxes {
   /// The same without pairs of one group, to which nothing happens after the start.
   void each_moving(const std::function<void(int, int, bool)>& visit) const;
   /// Of each body, for those who go on with them.
-  std::vector<SweptBox> take_boxes() { return std::move(boxes_); }
+  std::vector<AxisBox> take_boxes() { return std::move(boxes_); }
 
  private:
   void each(const std::vector<int>& groups, const std::function<void(int, int, bool)>& visit) const;
@@ -31,7 +31,7 @@ class MeetingBoxes {
 
   const Instance& instance_;
   const std::vector<int>& bodies_;
-  std::vector<SweptBox> boxes_;
+  std::vector<AxisBox> boxes_;
 };
 
 }  // namespace taut::internal

@@ -3,18 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/box_tree.hpp"
 #include "numeric/budget.hpp"
-#include "scene/box_tree.hpp"
 
 namespace taut::internal {
 namespace {
 
 /// A lower bound of the distance of two boxes.
-double distance_of(const SweptBox& a, const SweptBox& b) {
-  const double x = std::max({0.0, a.lo_x - b.hi_x, b.lo_x - a.hi_x});
-  const double y = std::max({0.0, a.lo_y - b.hi_y, b.lo_y - a.hi_y});
-  return std::sqrt(x * x + y * y) * (1 - 0x1p-45);
-}
+double distance_of(const AxisBox& a, const AxisBox& b) { return a.distance_to(b) * (1 - 0x1p-45); }
 
 bool all_rest(const Instance& instance) {
   return std::all_of(instance.bodies().begin(), instance.bodies().end(),
@@ -40,10 +36,10 @@ std::vector<std::pair<int, int>> CoarseBoxes::pairs_within(double reach) const {
     for (const InstanceBody& body : instance_.bodies()) groups.push_back(body.group);
   }
   std::vector<std::pair<int, int>> pairs;
-  for (const std::vector<SweptBox>& boxes : windows_) {
-    std::vector<SweptBox> grown;
-    for (const SweptBox& box : boxes) grown.push_back(box.grown(reach / 2));
-    BoxTree(grown, groups).each_two([&](int i, int j) {
+  for (const std::vector<AxisBox>& boxes : windows_) {
+    std::vector<AxisBox> in_reach;
+    for (const AxisBox& box : boxes) in_reach.push_back(grown(box, reach / 2));
+    BoxTree(in_reach, groups).each_two([&](int i, int j) {
       if (instance_.asked(i, j)) pairs.emplace_back(std::minmax(i, j));
     });
   }
@@ -54,7 +50,7 @@ std::vector<std::pair<int, int>> CoarseBoxes::pairs_within(double reach) const {
 
 double CoarseBoxes::distance(int a, int b) const {
   double least = INFINITY;
-  for (const std::vector<SweptBox>& boxes : windows_)
+  for (const std::vector<AxisBox>& boxes : windows_)
     least = std::min(least, distance_of(boxes[static_cast<std::size_t>(a)], boxes[static_cast<std::size_t>(b)]));
   return least;
 }

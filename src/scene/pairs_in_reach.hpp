@@ -21,7 +21,7 @@ class CoarseBoxes {
 
  private:
   const Instance& instance_;
-  std::vector<std::vector<SweptBox>> windows_;  ///< of each window, the boxes of all bodies; of a layout, one window
+  std::vector<std::vector<AxisBox>> windows_;  ///< of each window, the boxes of all bodies; of a layout, one window
 };
 
 }  // namespace taut::internal

@@ -52,14 +52,12 @@ void Placement::tabulate() {
 /// The box around everything, and the bounds of errors that follow from its size.
 void Placement::set_bounds(const Frame<double>& f) {
   const DisplacedPolygon &p = *geometry_->p(), &q = *geometry_->q();
-  Bounds all{{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
+  AxisBox all;
   const auto include = [&all](const DisplacedPolygon& polygon, const RoundedPose& pose) {
     if (polygon.points.empty()) return;
-    for (const double x : {polygon.bounds.lo.x, polygon.bounds.hi.x}) {
-      for (const double y : {polygon.bounds.lo.y, polygon.bounds.hi.y}) {
-        const Point v{pose.x + (pose.c * x - pose.s * y), pose.y + (pose.s * x + pose.c * y)};
-        all.lo = {std::min(all.lo.x, v.x), std::min(all.lo.y, v.y)};
-        all.hi = {std::max(all.hi.x, v.x), std::max(all.hi.y, v.y)};
+    for (const double x : {polygon.bounds.lo_x, polygon.bounds.hi_x}) {
+      for (const double y : {polygon.bounds.lo_y, polygon.bounds.hi_y}) {
+        all.include(pose.x + (pose.c * x - pose.s * y), pose.y + (pose.s * x + pose.c * y));
       }
     }
   };
@@ -75,7 +73,7 @@ void Placement::set_bounds(const Frame<double>& f) {
                              (f.for_pp[3].v.rad + f.for_pp[4].v.rad) * (local + far_x + far_y);
   error_ = 16 * 0x1p-53 * size + frame_error + displacement_room;
   // A box around everything, with irregular corners, which are far enough out for what rounding adds.
-  const double w = std::max({all.hi.x - all.lo.x, all.hi.y - all.lo.y, 1e-3 * size}), x0 = all.lo.x, y0 = all.lo.y;
+  const double w = std::max({all.hi_x - all.lo_x, all.hi_y - all.lo_y, 1e-3 * size}), x0 = all.lo_x, y0 = all.lo_y;
   corners_ = {{{x0 - 5.137 * w, y0 - 4.871 * w},
                {x0 + 7.213 * w, y0 - 5.377 * w},
                {x0 + 6.911 * w, y0 + 7.093 * w},

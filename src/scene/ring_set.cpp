@@ -37,7 +37,7 @@ std::string ring_name(std::string body, bool several_parts, int part, int ring) 
 
 RingSet::RingSet(const Body& body, int index, int exponent) : index_(index), exponent_(exponent), name_(body.name) {
   refuse_curves(body);
-  bounds_ = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
+  bounds_ = AxisBox();
   if (body.parts.empty() && body.prepared) {
     prepared_ = body.prepared;
     add(prepared_->scaled(exponent), prepared_->facts(), 0, 0);
@@ -63,17 +63,12 @@ void RingSet::add(const Points& points, const ShapeFacts& facts, int part, int n
   const bool hole = number > 0;
   maps_.push_back({part, number, static_cast<std::uint32_t>(size_), facts.size, facts.first, facts.reversed != hole});
   size_ += points->size();
-  for (const Point& p : *points) {
-    bounds_.lo = {std::min(bounds_.lo.x, p.x), std::min(bounds_.lo.y, p.y)};
-    bounds_.hi = {std::max(bounds_.hi.x, p.x), std::max(bounds_.hi.y, p.y)};
-  }
+  for (const Point& p : *points) bounds_.include(p);
 }
 
-Bounds RingSet::input_bounds() const {
-  const auto unscaled = [this](const Point& p) {
-    return Point{std::ldexp(p.x, -exponent_), std::ldexp(p.y, -exponent_)};
-  };
-  return {unscaled(bounds_.lo), unscaled(bounds_.hi)};
+AxisBox RingSet::input_bounds() const {
+  const auto unscaled = [this](double x) { return std::ldexp(x, -exponent_); };
+  return {unscaled(bounds_.lo_x), unscaled(bounds_.lo_y), unscaled(bounds_.hi_x), unscaled(bounds_.hi_y)};
 }
 
 double RingSet::diameter_squared() const {

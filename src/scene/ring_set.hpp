@@ -12,6 +12,7 @@
 
 #include "geometry/container.hpp"
 #include "geometry/displacement.hpp"
+#include "geometry/hull.hpp"
 #include "geometry/ids.hpp"
 #include "geometry/prepared_shape.hpp"
 #include "geometry/shape_facts.hpp"
@@ -71,9 +72,9 @@ class RingSet {
   VertexRef vertex(std::uint32_t k) const;
   EdgeRef edge(std::uint32_t k) const;
   /// Scaled.
-  const Bounds& bounds() const { return bounds_; }
+  const AxisBox& bounds() const { return bounds_; }
   /// In the input's units.
-  Bounds input_bounds() const;
+  AxisBox input_bounds() const;
   /// Of the bounds.
   double diagonal() const { return diagonal_; }
   std::size_t size() const { return size_; }
@@ -142,7 +143,7 @@ class RingSet {
   std::shared_ptr<const PreparedShape> prepared_;  ///< if the only ring is
   std::vector<RingMap> maps_;
   std::vector<Points> rings_;  ///< scaled, each counterclockwise
-  Bounds bounds_;
+  AxisBox bounds_;
   double diagonal_ = 0;
   std::size_t size_ = 0;
   mutable std::mutex mutex_;

@@ -8,11 +8,7 @@ namespace taut::internal {
 namespace {
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
-constexpr SweptBox everywhere{-unbounded, -unbounded, unbounded, unbounded};
-
-SweptBox around(const SweptBox& a, const SweptBox& b) {
-  return {std::min(a.lo_x, b.lo_x), std::min(a.lo_y, b.lo_y), std::max(a.hi_x, b.hi_x), std::max(a.hi_y, b.hi_y)};
-}
+constexpr AxisBox everywhere{-unbounded, -unbounded, unbounded, unbounded};
 
 /// A point's coordinate over the window: the mean value theorem about the middle, or the range itself if that is less.
 Ball<double> range_of(const Jet<double>& middle, const Jet<double>& over, double half) {
@@ -21,11 +17,11 @@ Ball<double> range_of(const Jet<double>& middle, const Jet<double>& over, double
 }
 
 /// While every motion of the chain follows one piece.
-SweptBox box_of_pieces(const PieceChain& chain, const Bounds& bounds, double from, double to) {
-  const Point c{(bounds.lo.x + bounds.hi.x) / 2, (bounds.lo.y + bounds.hi.y) / 2};
+AxisBox box_of_pieces(const PieceChain& chain, const AxisBox& bounds, double from, double to) {
+  const Point c{(bounds.lo_x + bounds.hi_x) / 2, (bounds.lo_y + bounds.hi_y) / 2};
   const auto [at, range, half] = poses_over(chain, c, from, to);
   const Ball<double> x = range_of(at.ox, range.ox, half), y = range_of(at.oy, range.oy, half);
-  double wide = (bounds.hi.x - bounds.lo.x) / 2, high = (bounds.hi.y - bounds.lo.y) / 2;
+  double wide = (bounds.hi_x - bounds.lo_x) / 2, high = (bounds.hi_y - bounds.lo_y) / 2;
   if (turns(chain)) wide = high = length(wide, high);
   const double slack = 0x1p-45 * (x.magnitude() + y.magnitude() + wide + high) + displacement_room;
   wide += x.rad + slack;
@@ -36,10 +32,10 @@ SweptBox box_of_pieces(const PieceChain& chain, const Bounds& bounds, double fro
 
 }  // namespace
 
-SweptBox swept_box(const InstanceBody& body, double from, double to) {
-  const Bounds& bounds = body.rings->bounds();
+AxisBox swept_box(const InstanceBody& body, double from, double to) {
+  const AxisBox& bounds = body.rings->bounds();
   if (body.motions.empty()) return box_of_pieces({MotionPiece{}}, bounds, from, to);
-  SweptBox whole{unbounded, unbounded, -unbounded, -unbounded};
+  AxisBox whole;
   // From joint to joint of any of the motions. Bridges lie between the two boxes that they join.
   for (double t = from;;) {
     PieceChain chain;
@@ -48,7 +44,7 @@ SweptBox swept_box(const InstanceBody& body, double from, double to) {
       chain.push_back(motion.at(t));
       until = std::min(until, chain.back().until);
     }
-    whole = around(whole, box_of_pieces(chain, bounds, t, std::min(until, to)));
+    whole.include(box_of_pieces(chain, bounds, t, std::min(until, to)));
     // A joint at the very end belongs to this window, bridge and all.
     if (until > to || t >= to) break;
     t = until;

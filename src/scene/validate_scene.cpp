@@ -52,14 +52,13 @@ void validate_prepared(const Body& body) {
 }
 
 /// Its rings, one by one and together; grows the range of magnitudes, and the bounds of the body.
-void validate_shape(const Body& body, BodyId id, ShapeFacts& range, Bounds& box) {
+void validate_shape(const Body& body, BodyId id, ShapeFacts& range, AxisBox& box) {
   if (!body.parts.empty() && !body.polygon.empty())
     throw InputError(body.name, "the body has a polygon and parts", "a body is one polygon, or parts");
   const auto take = [&](const ShapeFacts& facts) {
     range.least = std::min(range.least, facts.least);
     range.largest = std::max(range.largest, facts.largest);
-    box.lo = {std::min(box.lo.x, facts.bounds.lo.x), std::min(box.lo.y, facts.bounds.lo.y)};
-    box.hi = {std::max(box.hi.x, facts.bounds.hi.x), std::max(box.hi.y, facts.bounds.hi.y)};
+    box.include(facts.bounds);
   };
   // What is being validated: a part, and its ring, or 0 for all of its rings together.
   std::size_t part = 0, ring = 0;
@@ -143,10 +142,10 @@ void validate_polygons(const Scene& scene) {
   const Names names = names_of(scene);
   ShapeFacts range;
   range.least = INFINITY;
-  std::vector<Bounds> boxes;
+  std::vector<AxisBox> boxes;
   double extent = 0;
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-    Bounds box{{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
+    AxisBox box;
     validate_shape(scene.bodies[i], static_cast<BodyId>(i), range, box);
     boxes.push_back(box);
     extent = std::max(extent, diagonal(box));

@@ -50,8 +50,8 @@ ShapeFacts range_of(const std::vector<Body>& bodies) {
   return range;
 }
 
-std::vector<SweptBox> boxes_of(const std::vector<SharedRings>& rings) {
-  std::vector<SweptBox> boxes;
+std::vector<AxisBox> boxes_of(const std::vector<SharedRings>& rings) {
+  std::vector<AxisBox> boxes;
   for (const SharedRings& r : rings) boxes.push_back(swept_box({r, {}, 0}, 0, 0));
   return boxes;
 }
@@ -65,7 +65,7 @@ MapBodies prepared_bodies(const std::vector<Body>& bodies, double largest) {
     rings.push_back(std::make_shared<const RingSet>(bodies[i], static_cast<int>(i), -exponent));
     extent = std::max(extent, std::ldexp(diagonal(rings.back()->bounds()), exponent));
   }
-  const std::vector<SweptBox> boxes = boxes_of(rings);
+  const std::vector<AxisBox> boxes = boxes_of(rings);
   MapBodies all;
   all.rings = std::move(rings);
   all.boxes = BoxTree(boxes);

@@ -21,10 +21,8 @@ const Scene& validated(const Scene& scene) {
 }
 
 /// In the input's units.
-Bounds bounds_of(const Instance& instance, BodyId body) {
-  const Bounds& b = instance.bodies()[static_cast<std::size_t>(body)].rings->bounds();
-  const auto back = [&](double x) { return std::ldexp(x, -instance.exponent()); };
-  return {{back(b.lo.x), back(b.lo.y)}, {back(b.hi.x), back(b.hi.y)}};
+AxisBox bounds_of(const Instance& instance, BodyId body) {
+  return instance.bodies()[static_cast<std::size_t>(body)].rings->input_bounds();
 }
 
 }  // namespace
@@ -250,7 +248,7 @@ void WorldSimulation::check_body(BodyId body) const {
 
 void WorldSimulation::check_motion(BodyId body, const Motion& motion) const {
   const std::string& name = names_[static_cast<std::size_t>(body)];
-  const Bounds bounds = bounds_of(instance_, body);
+  const AxisBox bounds = bounds_of(instance_, body);
   validate_motion(motion, name, bounds, now_, end(), extent_);
   const PieceList& own = instance_.bodies()[static_cast<std::size_t>(body)].own;
   const MotionPiece before = own.empty() ? MotionPiece{} : scaled(own.at(now_), -instance_.exponent());

@@ -65,7 +65,7 @@ void MapSearch::cover(double from, double to, int depth) {
   checkpoint();
   if (from > stop_) return;
   proved_ = std::max(proved_, from);
-  const SweptBox box = swept_box(mover_, from, to);
+  const AxisBox box = swept_box(mover_, from, to);
   if (!bodies_.boxes.any(box)) return;
   const double middle = from + (to - from) / 2;
   if (box.longest() > longest_way * size_ && depth < deepest_halving && from < middle && middle < to) {

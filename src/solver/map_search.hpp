@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "scene/box_tree.hpp"
+#include "geometry/box_tree.hpp"
 #include "scene/free_cells.hpp"
 #include "solver/pair_solver.hpp"
 

@@ -90,7 +90,7 @@ void NearPairs::change(const std::vector<int>& changed, double from) {
 /// Finds the bodies that this one meets in the window. `deeper` receives the additional bodies that its halves have to
 /// test.
 void NearPairs::look(int body, Window& window, std::vector<int>& deeper) {
-  const SweptBox box = window.boxes.box(body);
+  const AxisBox box = window.boxes.box(body);
   for (const int other : window.boxes.find(box)) {
     checkpoint();
     if (other == body || !instance_.asked(body, other) || has(body, other)) continue;

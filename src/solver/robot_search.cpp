@@ -29,7 +29,7 @@ constexpr std::uint32_t outline_vertices = 8;
 const PieceChain world_chain;
 
 /// The link's box over the whole stretch, in the world's frame.
-SweptBox box_over(const Stretch& s, const spacetime::Box& box) {
+AxisBox box_over(const Stretch& s, const spacetime::Box& box) {
   const spacetime::Path way = s.in_p.place(box.centre, {});
   const double around = (box.radius + s.in_p.error) * (1 + 0x1p-40);
   const double wide = way.x.swing(s.r) * (1 + 0x1p-40) + around, high = way.y.swing(s.r) * (1 + 0x1p-40) + around;

@@ -91,7 +91,7 @@ class RobotSearch {
   std::vector<LinkState> states_;
   std::vector<LinkPair> pairs_;
   spacetime::UniformPairsSearch uniform_pairs_;
-  SweptBox box_;  ///< of the last call of find_near()
+  AxisBox box_;  ///< of the last call of find_near()
   std::vector<int> near_;
   std::vector<int> inside_;  ///< bodies with an outline that may be inside the link
   spacetime::PoseSearch posed_;

@@ -58,23 +58,17 @@ Box box_of_run(std::span<const DisplacedPoint> polygon, std::uint32_t first, std
 
 namespace {
 
-Bounds bounds_of(const DisplacedPolygon& body, const RingSpan& ring) {
-  Bounds b{{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
-  for (std::uint32_t i = ring.first; i < ring.first + ring.count; ++i) {
-    const DisplacedPoint& p = body.points[i];
-    b.lo = {std::min(b.lo.x, p.x), std::min(b.lo.y, p.y)};
-    b.hi = {std::max(b.hi.x, p.x), std::max(b.hi.y, p.y)};
-  }
-  return b;
+AxisBox bounds_of(const DisplacedPolygon& body, const RingSpan& ring) {
+  return box_around(std::span(body.points).subspan(ring.first, ring.count));
 }
 
 /// An axis-parallel box around several rings.
 Box box_of_rings(const DisplacedPolygon& body, std::span<const RingSpan> rings) {
   std::vector<DisplacedPoint> corners;
   for (const RingSpan& ring : rings) {
-    const Bounds b = bounds_of(body, ring);
-    corners.push_back({b.lo.x, b.lo.y, 0, 0});
-    corners.push_back({b.hi.x, b.hi.y, 0, 0});
+    const AxisBox b = bounds_of(body, ring);
+    corners.push_back({b.lo_x, b.lo_y, 0, 0});
+    corners.push_back({b.hi_x, b.hi_y, 0, 0});
   }
   // A run that returns to its beginning has the axes as its directions.
   return box_of_run(corners, 0, static_cast<std::uint32_t>(corners.size()));
@@ -122,8 +116,8 @@ std::uint32_t Hierarchy::build(const DisplacedPolygon& body, std::span<RingSpan>
   nodes_.push_back({box_of_rings(body, rings), 0, count, 0, 0});
   const bool along_x = nodes_[index].box.half_length >= nodes_[index].box.half_width;
   const auto key = [&](const RingSpan& ring) {
-    const Bounds b = bounds_of(body, ring);
-    return along_x ? b.lo.x + b.hi.x : b.lo.y + b.hi.y;
+    const AxisBox b = bounds_of(body, ring);
+    return along_x ? b.lo_x + b.hi_x : b.lo_y + b.hi_y;
   };
   const auto half = static_cast<std::ptrdiff_t>(rings.size() / 2);
   std::nth_element(rings.begin(), rings.begin() + half, rings.end(), [&](const RingSpan& a, const RingSpan& b) {

@@ -26,10 +26,10 @@ Point line_intersection(const DirectedLine& a, const DirectedLine& b) {
 }
 
 /// A point on the line from `start` on that lies well outside the bounds, in direction `sign`.
-Point far_along(const DirectedLine& line, const Point& start, double sign, const Bounds& b) {
+Point far_along(const DirectedLine& line, const Point& start, double sign, const AxisBox& b) {
   const double dx = line.to.x - line.from.x, dy = line.to.y - line.from.y, length = std::sqrt(dx * dx + dy * dy);
-  const double size = b.hi.x - b.lo.x + b.hi.y - b.lo.y;
-  const Point middle{b.lo.x + (b.hi.x - b.lo.x) / 2, b.lo.y + (b.hi.y - b.lo.y) / 2};
+  const double size = b.hi_x - b.lo_x + b.hi_y - b.lo_y;
+  const Point middle{b.lo_x + (b.hi_x - b.lo_x) / 2, b.lo_y + (b.hi_y - b.lo_y) / 2};
   const double away = std::fabs(start.x - middle.x) + std::fabs(start.y - middle.y);
   // A power of two: the end of a line through two vertices stays exactly on it if their coordinates are short.
   int exponent = 0;
@@ -70,9 +70,9 @@ bool enters_at_vertex(const Point& before, const Point& v, const Point& after, c
 }
 
 /// Does the segment meet the open inside?
-bool meets_inside(const Point& a, const Point& b, const Polygon& polygon, const Bounds& bounds) {
-  if (std::max(a.x, b.x) < bounds.lo.x || std::min(a.x, b.x) > bounds.hi.x || std::max(a.y, b.y) < bounds.lo.y ||
-      std::min(a.y, b.y) > bounds.hi.y)
+bool meets_inside(const Point& a, const Point& b, const Polygon& polygon, const AxisBox& bounds) {
+  if (std::max(a.x, b.x) < bounds.lo_x || std::min(a.x, b.x) > bounds.hi_x || std::max(a.y, b.y) < bounds.lo_y ||
+      std::min(a.y, b.y) > bounds.hi_y)
     return false;
   const std::size_t n = polygon.size();
   bool touches = false;
@@ -116,9 +116,9 @@ std::optional<Point> point_inside(const Polygon& polygon) {
 }
 
 /// Beyond `end`, going on from `before`, does the ray stay outside the bounds?
-bool leaves_for_good(const Point& before, const Point& end, const Bounds& b) {
-  return (end.x > b.hi.x && end.x >= before.x) || (end.x < b.lo.x && end.x <= before.x) ||
-         (end.y > b.hi.y && end.y >= before.y) || (end.y < b.lo.y && end.y <= before.y);
+bool leaves_for_good(const Point& before, const Point& end, const AxisBox& b) {
+  return (end.x > b.hi_x && end.x >= before.x) || (end.x < b.lo_x && end.x <= before.x) ||
+         (end.y > b.hi_y && end.y >= before.y) || (end.y < b.lo_y && end.y <= before.y);
 }
 
 }  // namespace
@@ -127,7 +127,7 @@ Curve curve_of(const LinkPath& path, const std::vector<Point>& around) {
   Curve curve;
   curve.closed = path.closed;
   const std::size_t n = path.lines.size();
-  const Bounds bounds = internal::bounds(around);
+  const AxisBox bounds = box_around(around);
   for (std::size_t i = 0; i + 1 < n; ++i) curve.vertices.push_back(line_intersection(path.lines[i], path.lines[i + 1]));
   if (path.closed) {
     curve.vertices.push_back(line_intersection(path.lines.back(), path.lines.front()));
@@ -146,7 +146,7 @@ bool separates(const Curve& curve, const Polygon& p, const Polygon& q) {
   const std::size_t n = curve.vertices.size(), edges = n == 0 ? 0 : curve.edges();
   if (n < 2 || (curve.closed && n < 3) || !std::all_of(curve.vertices.begin(), curve.vertices.end(), finite))
     return false;
-  const Bounds at_p = internal::bounds(p), at_q = internal::bounds(q);
+  const AxisBox at_p = box_around(p), at_q = box_around(q);
   const auto inside_p = point_inside(p), inside_q = point_inside(q);
   if (!inside_p || !inside_q) return false;
   bool odd = false;
@@ -160,12 +160,13 @@ bool separates(const Curve& curve, const Polygon& p, const Polygon& q) {
     if (left_a != left_b && orientation(a, b, *inside_p) * orientation(a, b, *inside_q) < 0) odd = !odd;
   }
   if (!curve.closed) {
-    for (const Bounds& b : {at_p, at_q}) {
+    for (const AxisBox& b : {at_p, at_q}) {
       if (!leaves_for_good(curve.vertices[1], curve.vertices[0], b)) return false;
       if (!leaves_for_good(curve.vertices[n - 2], curve.vertices[n - 1], b)) return false;
     }
     // The rays must not pass between the two points either.
-    const Bounds both = internal::bounds({at_p.lo, at_p.hi, at_q.lo, at_q.hi});
+    AxisBox both = at_p;
+    both.include(at_q);
     if (!leaves_for_good(curve.vertices[1], curve.vertices[0], both)) return false;
     if (!leaves_for_good(curve.vertices[n - 2], curve.vertices[n - 1], both)) return false;
   }

@@ -176,8 +176,8 @@ TEST(ForgedWindows, BodiesThatLeaveTheirBoxes) {
                               static_cast<std::uint8_t>(proof::Claim::free)});
     out.u8(1);
     for (const int body : moving_bodies(proved, {})) {
-      const SweptBox b =
-          swept_box(instance.bodies()[static_cast<std::size_t>(body)], scene.start, scene.start).grown(1e-6);
+      const AxisBox b =
+          grown(swept_box(instance.bodies()[static_cast<std::size_t>(body)], scene.start, scene.start), 1e-6);
       out.u8(1);
       for (const double side : {b.lo_x, b.lo_y, b.hi_x, b.hi_y}) {
         const auto single = static_cast<float>(side);

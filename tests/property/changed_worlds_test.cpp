@@ -78,7 +78,7 @@ void expect_all_near(const Instance& instance, const NearPairs& near, int& met) 
   const int bodies = static_cast<int>(instance.bodies().size());
   for (int k = 0; k <= 4; ++k) {
     const double t = near.from() + (near.until() - near.from()) * k / 4;
-    std::vector<SweptBox> boxes;
+    std::vector<AxisBox> boxes;
     for (const InstanceBody& body : instance.bodies()) boxes.push_back(swept_box(body, t, t));
     for (int a = 0; a < bodies; ++a) {
       for (int b = a + 1; b < bodies; ++b) {

@@ -138,14 +138,14 @@ std::optional<Polygon> cut_open(const Part& part) {
   for (std::size_t k = 1; k < n; ++k) {
     if (hole[k].x > hole[tip].x) tip = k;
   }
-  const Bounds b = bounds(part.outline);
+  const AxisBox b = box_around(part.outline);
   const double right = hole[tip].x, slit = 0x1p-20;
   if (polygon_orientation(hole) < 0) return std::nullopt;
   // Clockwise around the hole, from just above its tip to just below.
-  Polygon open{{b.lo.x, b.lo.y}, {b.hi.x, b.lo.y}, {b.hi.x, hole[tip].y - slit}, {right, hole[tip].y - slit}};
+  Polygon open{{b.lo_x, b.lo_y}, {b.hi_x, b.lo_y}, {b.hi_x, hole[tip].y - slit}, {right, hole[tip].y - slit}};
   for (std::size_t k = 1; k < n; ++k) open.push_back(hole[(tip + n - k) % n]);
   open.insert(open.end(),
-              {{right, hole[tip].y + slit}, {b.hi.x, hole[tip].y + slit}, {b.hi.x, b.hi.y}, {b.lo.x, b.hi.y}});
+              {{right, hole[tip].y + slit}, {b.hi_x, hole[tip].y + slit}, {b.hi_x, b.hi_y}, {b.lo_x, b.hi_y}});
   return open;
 }
 

@@ -174,7 +174,7 @@ TEST(SeparationLaws, SweptBoxesContainTheBodies) {
     const double scale = std::ldexp(1.0, instance.exponent());
     for (std::size_t i = 0; i < instance.bodies().size(); ++i) {
       const double from = rng.real(0, world.end), to = rng.chance(0.2) ? world.end : rng.real(from, world.end);
-      const SweptBox box = swept_box(instance.bodies()[i], from, to);
+      const AxisBox box = swept_box(instance.bodies()[i], from, to);
       for (int k = 0; k <= 8; ++k) {
         for (const PartAtPose& part : posed(world, static_cast<int>(i), from + (to - from) * k / 8)) {
           for (const Complex& p : part[0]) {
@@ -185,7 +185,7 @@ TEST(SeparationLaws, SweptBoxesContainTheBodies) {
         }
       }
       // No more than a window's motion larger than need be.
-      const SweptBox now = swept_box(instance.bodies()[i], from, from);
+      const AxisBox now = swept_box(instance.bodies()[i], from, from);
       EXPECT_LE(now.longest(), 3 * diagonal(instance.bodies()[i].rings->bounds()) + 1e-9);
     }
   }
@@ -203,7 +203,7 @@ TEST(SeparationLaws, StatedBoxesContainTheBodies) {
     for (int i = 0; i < scene.size(); ++i) {
       if (scene[i].rests()) continue;
       const double from = rng.real(0, world.end), to = rng.chance(0.2) ? world.end : rng.real(from, world.end);
-      const std::optional<proof::BoxedBody> box = proof::box_around(scene[i], {from, to, false});
+      const std::optional<AxisBox> box = proof::box_around(scene[i], {from, to, false});
       ASSERT_TRUE(box);
       proof::StatedBox cut{static_cast<float>(box->lo_x) - 1, static_cast<float>(box->lo_y) - 1,
                            static_cast<float>(box->hi_x) + 1, static_cast<float>(box->hi_y) + 1};

@@ -71,7 +71,7 @@ Point between(const Point& a, const Point& b, double share) {
 
 /// The hole that is left of a box where a polygon is joined to its right side at its rightmost vertex, by a bar that
 /// widens from it.
-Polygon around_island(const Polygon& island, const Bounds& bounds, double margin) {
+Polygon around_island(const Polygon& island, const AxisBox& bounds, double margin) {
   const std::size_t n = island.size();
   const auto tip = static_cast<std::size_t>(
       std::max_element(island.begin(), island.end(), [](const Point& a, const Point& b) { return a.x < b.x; }) -
@@ -79,13 +79,13 @@ Polygon around_island(const Polygon& island, const Bounds& bounds, double margin
   const Point& v = island[tip];
   const Point before = between(v, island[(tip + n - 1) % n], 1.0 / 16),
               after = between(v, island[(tip + 1) % n], 1.0 / 16);
-  const double right = bounds.hi.x + margin;
+  const double right = bounds.hi_x + margin;
   // Counterclockwise around the free space: the box, then clockwise around the island.
   Polygon hole = {{right, after.y + margin / 2},
-                  {right, bounds.hi.y + 2 * margin},
-                  {bounds.lo.x - margin, bounds.hi.y + 2 * margin},
-                  {bounds.lo.x - margin, bounds.lo.y - 2 * margin},
-                  {right, bounds.lo.y - 2 * margin},
+                  {right, bounds.hi_y + 2 * margin},
+                  {bounds.lo_x - margin, bounds.hi_y + 2 * margin},
+                  {bounds.lo_x - margin, bounds.lo_y - 2 * margin},
+                  {right, bounds.lo_y - 2 * margin},
                   {right, before.y - margin / 2},
                   before};
   for (std::size_t k = 1; k < n; ++k) hole.push_back(island[(tip + n - k) % n]);
@@ -104,12 +104,12 @@ Cell around_and_inside(Rng& rng, bool grid) {
   if (highest_x(pair.p) <= highest_x(pair.q)) std::swap(pair.p, pair.q);
   Polygon both = pair.p;
   both.insert(both.end(), pair.q.begin(), pair.q.end());
-  const Bounds bounds = taut::internal::bounds(both);
-  const double size = std::max(bounds.hi.x - bounds.lo.x, bounds.hi.y - bounds.lo.y);
+  const AxisBox bounds = taut::internal::box_around(both);
+  const double size = std::max(bounds.hi_x - bounds.lo_x, bounds.hi_y - bounds.lo_y);
   const double margin = std::ceil(size * rng.real(0.05, 0.5));
   const Polygon hole = around_island(pair.p, bounds, margin);
-  const Bounds b = taut::internal::bounds(hole);
-  return {{{box(b.lo.x - margin, b.lo.y - margin, b.hi.x + margin, b.hi.y + margin), {hole}}}, {{pair.q, {}}}, size};
+  const AxisBox b = taut::internal::box_around(hole);
+  return {{{box(b.lo_x - margin, b.lo_y - margin, b.hi_x + margin, b.hi_y + margin), {hole}}}, {{pair.q, {}}}, size};
 }
 
 Cell star_in_star(Rng& rng) {

@@ -1,4 +1,4 @@
-#include "scene/box_tree.hpp"
+#include "geometry/box_tree.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace taut::internal {
 
-BoxTree::BoxTree(std::span<const SweptBox> boxes, std::span<const int> groups) {
+BoxTree::BoxTree(std::span<const AxisBox> boxes, std::span<const int> groups) {
   if (boxes.empty()) return;
   entries_.reserve(boxes.size());
   for (std::size_t i = 0; i < boxes.size(); ++i) {
@@ -23,13 +23,13 @@ void BoxTree::divide(const Run& run) {
   const std::span<Entry> entries = std::span(entries_).subspan(run.first, run.count);
   Node node{entries.front().box, entries.front().group};
   for (const Entry& e : entries) {
-    node.around = node.around.with(e.box);
+    node.around.include(e.box);
     if (e.group != node.group) node.group = several;
   }
   if (nodes_.size() <= run.node) nodes_.resize(run.node + 1);
   nodes_[run.node] = node;
   if (run.count <= leaf) return;
-  const bool along_x = node.around.hi_x - node.around.lo_x >= node.around.hi_y - node.around.lo_y;
+  const bool along_x = node.around.width() >= node.around.height();
   const auto key = [&](const Entry& e) {
     const double sum = along_x ? e.box.lo_x + e.box.hi_x : e.box.lo_y + e.box.hi_y;
     return std::pair(std::isnan(sum) ? 0 : sum, e.index);  // a box may be infinite both ways
@@ -41,7 +41,7 @@ void BoxTree::divide(const Run& run) {
 }
 
 template <class Visit>
-bool BoxTree::search(const SweptBox& box, const Visit& visit) const {
+bool BoxTree::search(const AxisBox& box, const Visit& visit) const {
   if (entries_.empty()) return false;
   // Depths differ by one at most, so 64 are enough for any number of boxes.
   std::array<Run, 64> stack;
@@ -62,11 +62,11 @@ bool BoxTree::search(const SweptBox& box, const Visit& visit) const {
   return false;
 }
 
-bool BoxTree::any(const SweptBox& box) const {
+bool BoxTree::any(const AxisBox& box) const {
   return search(box, [](int) { return true; });
 }
 
-void BoxTree::find(const SweptBox& box, std::vector<int>& found) const {
+void BoxTree::find(const AxisBox& box, std::vector<int>& found) const {
   const auto begin = static_cast<std::ptrdiff_t>(found.size());
   search(box, [&](int index) {
     found.push_back(index);
@@ -102,6 +102,27 @@ void BoxTree::each_between(const Run& a, const Run& b, const std::function<void(
     return;
   }
   for (std::uint32_t i = a.first; i < a.first + a.count; ++i) each_of(entries_[i], b.first, b.first + b.count, visit);
+}
+
+void BoxTree::each_near(const BoxTree& other, double reach, const std::function<void(int, int)>& visit) const {
+  if (!entries_.empty() && !other.entries_.empty()) each_near(root(), other, other.root(), reach, visit);
+}
+
+void BoxTree::each_near(const Run& run, const BoxTree& other, const Run& of_other, double reach,
+                        const std::function<void(int, int)>& visit) const {
+  if (nodes_[run.node].around.distance_to(other.nodes_[of_other.node].around) > reach) return;
+  if (run.count > leaf && run.count >= of_other.count) {
+    for (const std::uint32_t k : {0u, 1u}) each_near(run.half(k), other, of_other, reach, visit);
+  } else if (of_other.count > leaf) {
+    for (const std::uint32_t k : {0u, 1u}) each_near(run, other, of_other.half(k), reach, visit);
+  } else {
+    for (std::uint32_t i = run.first; i < run.first + run.count; ++i) {
+      for (std::uint32_t j = of_other.first; j < of_other.first + of_other.count; ++j) {
+        if (entries_[i].box.distance_to(other.entries_[j].box) <= reach)
+          visit(entries_[i].index, other.entries_[j].index);
+      }
+    }
+  }
 }
 
 /// With those from first to before last.

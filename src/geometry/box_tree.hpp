@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "scene/swept_box.hpp"
+#include "geometry/axis_box.hpp"
 
 namespace taut::internal {
 
@@ -16,27 +16,30 @@ class BoxTree {
  public:
   BoxTree() = default;
   /// `groups` has a number, 0 or more, for each box, or nothing: see each_two().
-  explicit BoxTree(std::span<const SweptBox> boxes, std::span<const int> groups = {});
+  explicit BoxTree(std::span<const AxisBox> boxes, std::span<const int> groups = {});
 
   /// Does any of them meet the box?
-  bool any(const SweptBox& box) const;
+  bool any(const AxisBox& box) const;
   /// Adds the indices of those that do, in order.
-  void find(const SweptBox& box, std::vector<int>& found) const;
+  void find(const AxisBox& box, std::vector<int>& found) const;
   /// Calls visit(i, j) for every two that meet, once, those of one group left out: these cost nothing, however many of
   /// them meet.
   void each_two(const std::function<void(int, int)>& visit) const;
+  /// Calls visit(i, j) for each box i of this tree and j of the other one that are no farther apart than `reach`, up to
+  /// rounding.
+  void each_near(const BoxTree& other, double reach, const std::function<void(int, int)>& visit) const;
 
  private:
   /// Small runs are looked at box by box.
   static constexpr std::uint32_t leaf = 4;
   static constexpr int several = -1;  ///< of boxes: they are in no group
   struct Entry {
-    SweptBox box;
+    AxisBox box;
     int index;
     int group;
   };
   struct Node {
-    SweptBox around;
+    AxisBox around;
     int group;  ///< of all that are in it
   };
   /// Entries first to first + count, below a node. The two halves of a run are the children of its node.
@@ -50,12 +53,14 @@ class BoxTree {
   Run root() const { return {0, static_cast<std::uint32_t>(entries_.size()), 0}; }
   /// Calls visit(index) for boxes that meet until it returns true; true if it did.
   template <class Visit>
-  bool search(const SweptBox& box, const Visit& visit) const;
+  bool search(const AxisBox& box, const Visit& visit) const;
   void divide(const Run& run);
   void each_within(const Run& run, const std::function<void(int, int)>& visit) const;
   void each_of(const Entry& entry, std::uint32_t first, std::uint32_t last,
                const std::function<void(int, int)>& visit) const;
   void each_between(const Run& a, const Run& b, const std::function<void(int, int)>& visit) const;
+  void each_near(const Run& run, const BoxTree& other, const Run& of_other, double reach,
+                 const std::function<void(int, int)>& visit) const;
 
   std::vector<Node> nodes_;
   std::vector<Entry> entries_;
