@@ -162,13 +162,16 @@ struct Drawing {
   double diagonal() const;
 };
 
+/// At this tolerance a drawing has about the size that it has, and no more is asked for.
+constexpr double coarsest = 1e300;
+
 /// What `read(tolerance)` makes of a file, with the fineness that fits it: where the settings give no tolerance, the
 /// file is read twice, first coarsely for its size and unit.
 template <class Read>
 Drawing with_fineness(const ImportSettings& settings, const Read& read) {
   Fineness fineness = fineness_of(settings, 1, 0);
   if (!settings.tolerance || !settings.join || !settings.repair) {
-    const Drawing coarse = read(settings.tolerance.value_or(1e300));
+    const Drawing coarse = read(settings.tolerance.value_or(coarsest));
     fineness = fineness_of(settings, coarse.millimetre, coarse.diagonal());
   }
   Drawing drawing = read(fineness.tolerance);

@@ -62,7 +62,6 @@ class OutlineMaker {
     alive_.assign(graph_.edges.size(), true);
     prune(false);
     if (cut_loops(graph_, alive_, settings_.repair, out_.repairs)) prune(false);
-    if (!any_alive()) return std::move(out_);
     const FaceMap faces(graph_, alive_);
     FaceKeys keys;
     for (const Turns& turns : turns_around(graph_, faces)) keys.push_back(is_inside(turns, fill) ? 1 : 0);
@@ -303,6 +302,18 @@ Outlines outlines_of_fill(const std::vector<Chain>& chains, Fill fill, const Out
   std::vector<Strand> strands = strands_of(chains);
   for (Strand& strand : strands) strand.closed = true;
   return OutlineMaker(std::move(strands), settings).of_fill(fill);
+}
+
+bool encloses_area(const Chain& chain, Fill fill, std::size_t most_cuts, const std::string& file) {
+  double around = 0;
+  for (std::size_t i = 0; i < chain.points.size(); ++i) {
+    const Point &a = chain.points[i], &b = chain.points[(i + 1) % chain.points.size()];
+    around += std::hypot(a.x - b.x, a.y - b.y);
+  }
+  constexpr double rounding = 1e-9;
+  if (std::fabs(doubled_area(chain.points)) > rounding * around * around) return true;
+  // Thin, or with as much on one side as on the other one.
+  return !outlines_of_fill({chain}, fill, {0, 0, false, most_cuts, file}).regions.empty();
 }
 
 Outlines outlines_of_repair(const std::vector<Chain>& rings, const OutlineSettings& settings) {

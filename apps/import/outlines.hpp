@@ -46,6 +46,9 @@ struct OutlineSettings {
 /// Lines: open ones are joined, and divide what others enclose.
 Outlines outlines_of_lines(const std::vector<Chain>& chains, const OutlineSettings& settings);
 
+/// Does a chain that is filled by itself enclose anything? A straight line does not, nor one that goes there and back.
+bool encloses_area(const Chain& chain, Fill fill, std::size_t most_cuts, const std::string& file);
+
 /// Filled shapes: chains are closed, and what is inside follows from the rule.
 Outlines outlines_of_fill(const std::vector<Chain>& chains, Fill fill, const OutlineSettings& settings);
 

@@ -5,13 +5,14 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <memory>
 #include <set>
 
+#include "import/body_text.hpp"
+#include "import/outlines.hpp"
 #include "import/svg_clip.hpp"
 #include "import/svg_shapes.hpp"
 #include "import/svg_styles.hpp"
-#include "import/svg_transform.hpp"
+#include "import/svg_surroundings.hpp"
 #include "import/svg_viewport.hpp"
 #include "import/xml_tree.hpp"
 #include "io/number_text.hpp"
@@ -29,21 +30,6 @@ constexpr std::size_t most_cloned = 1000000;
 constexpr int no_layer = 1000000000;
 const char* const percent_reason = "has a length in percent of the page, whose size is not known";
 
-/// What an element hands down to those inside it.
-struct Surroundings {
-  Affine where;
-  Viewport viewport;
-  std::vector<Frame> frames;
-  bool nested = false;  ///< in a drawing in the drawing, or a symbol
-  bool filled = true, displayed = true, hidden = false;
-  bool stroked = false, clear_filling = false, clear_line = false, no_width = false;
-  std::shared_ptr<const Variables> variables = nullptr;
-  std::string color;  ///< of the line, or else of the filling
-  Fill fill = Fill::nonzero;
-  int layer = -1;
-  int clones = 0;  ///< how many <use> it is within
-};
-
 class SvgReader {
  public:
   /// `unpainted`: shapes with neither a fill nor a stroke are outlines.
@@ -53,7 +39,9 @@ class SvgReader {
         settings_(settings),
         flattener_(settings, tolerance, file),
         styles_(xml),
-        reads_unpainted_(unpainted) {
+        surroundings_(xml, styles_, drawing_),
+        reads_unpainted_(unpainted),
+        coarse_(tolerance >= coarsest) {
     drawing_.file = file;
     drawing_.format = "SVG";
   }
@@ -77,7 +65,7 @@ class SvgReader {
     tell_what_is_not_drawn();
     if (unpainted_ > 0 && reads_unpainted_)
       drawing_.notes.push_back(
-          fmt::format("nothing in the file has a fill or a stroke: its {} read as outlines",
+          fmt::format("nothing in the file is painted: its {} read as outlines",
                       unpainted_ == 1 ? "one shape is" : std::to_string(unpainted_) + " shapes are"));
     drawing_.curves = flattener_.counts();
     drawing_.kept = flattener_.take_kept();
@@ -95,13 +83,13 @@ class SvgReader {
     const XmlElement& element = xml_.element(node);
     const Surroundings& around = open_.back().around;
     if (element.name == "g" || element.name == "a") {
-      open_.push_back({node + 1, xml_.end(node), inside(node, around, true)});
+      open_.push_back({node + 1, xml_.end(node), surroundings_.inside(node, around, true)});
     } else if (element.name == "switch") {
       open_switch(node);
     } else if (is_svg_shape(element.name)) {
-      read_shape(element, inside(node, around, false));
+      read_shape(element, surroundings_.inside(node, around, false));
     } else if (element.name == "svg") {
-      open_frame(node, inside(node, around, true), element);
+      open_frame(node, surroundings_.inside(node, around, true), element);
     } else if (element.name == "use") {
       open_clone(node);
     } else if (element.name == "defs" || element.name == "symbol") {
@@ -130,7 +118,7 @@ class SvgReader {
     const double x = box ? box->x : 0, y = box ? box->y : 0;
     const double w = page.viewport.width, h = page.viewport.height;
     if (w > 0 && h > 0) page_ = Frame{root.where * translation(x, y) * scaling(w, h), element.place, ""};
-    root = inside(0, root, true);
+    root = surroundings_.inside(0, root, true);
     root.layer = -1;
     open_.back().around = std::move(root);
   }
@@ -142,7 +130,7 @@ class SvgReader {
       const std::string* languages = xml_.element(child).find("systemLanguage");
       return (!extensions || extensions->empty()) && (!languages || languages->find("en") != std::string::npos);
     };
-    const Surroundings around = inside(node, open_.back().around, true);
+    const Surroundings around = surroundings_.inside(node, open_.back().around, true);
     bool chosen = false;
     for (std::size_t child = node + 1; child < xml_.end(node); child = xml_.end(child)) {
       const XmlElement& element = xml_.element(child);
@@ -166,7 +154,7 @@ class SvgReader {
     if (elsewhere) return lose(use, "clones what is in another file");
     if (!target) return unread(use, "clones what is not in the file");
     const XmlElement& what = xml_.element(*target);
-    Surroundings s = inside(node, open_.back().around, true, &what);
+    Surroundings s = surroundings_.inside(node, open_.back().around, true, &what);
     if (++s.clones > deepest_clone)
       throw InputError(use.place, "clones are within clones more than 16 deep",
                        "an element must not clone what it is within: unlink the clone");
@@ -174,7 +162,8 @@ class SvgReader {
     if (std::isnan(x) || std::isnan(y)) return lose(use, percent_reason);
     s.where = s.where * translation(x, y);
     drawn_definitions_.insert(*target);
-    if (what.name == "symbol" || what.name == "svg") return open_frame(*target, inside(*target, s, true), use);
+    if (what.name == "symbol" || what.name == "svg")
+      return open_frame(*target, surroundings_.inside(*target, s, true), use);
     open_.push_back({*target, xml_.end(*target), s});
   }
 
@@ -217,92 +206,6 @@ class SvgReader {
     }
   }
 
-  /// `named`: by which the layer is called where the element itself has no name.
-  Surroundings inside(std::size_t node, Surroundings s, bool group, const XmlElement* named = nullptr) {
-    const XmlElement& element = xml_.element(node);
-    ElementStyle style = styles_.style_of(node);
-    style.take_variables(s.variables);
-    s.where = s.where * placement(node, style, s.viewport);
-    paint(style, s);
-    const std::string rule = style.word("fill-rule"), visibility = style.word("visibility");
-    if (!rule.empty()) s.fill = rule == "evenodd" ? Fill::even_odd : Fill::nonzero;
-    if (!visibility.empty()) s.hidden = visibility != "visible";
-    // All within it goes with it.
-    if (style.word("display") == "none" || style.is_zero("opacity")) s.displayed = false;
-    // The page's own size is read elsewhere.
-    if (node > 0) tell_what_is_not_read(element, style);
-    clip(element, style, s);
-    if (s.layer < 0) {
-      s.layer = static_cast<int>(drawing_.layers.size());
-      const std::string name = name_of(element, group);
-      drawing_.layers.push_back({name.empty() && named ? name_of(*named, group) : name, {}});
-    }
-    return s;
-  }
-
-  /// Whether fillings and lines are to be seen.
-  static void paint(const ElementStyle& style, Surroundings& s) {
-    const std::string fill = style.word("fill"), stroke = style.word("stroke");
-    if (!fill.empty()) s.filled = !is_see_through(fill);
-    if (!stroke.empty()) s.stroked = !is_see_through(stroke);
-    for (const char* paint : {"fill", "stroke"})
-      if (!style.word(paint).empty() && style.word(paint) != "none") s.color = style.text(paint);
-    if (!style.word("fill-opacity").empty()) s.clear_filling = style.is_zero("fill-opacity");
-    if (!style.word("stroke-opacity").empty()) s.clear_line = style.is_zero("stroke-opacity");
-    if (!style.word("stroke-width").empty()) s.no_width = style.is_zero("stroke-width");
-  }
-
-  void tell_what_is_not_read(const XmlElement& element, const ElementStyle& style) {
-    const std::string property = style.unread(element);
-    if (!property.empty())
-      drawing_.skip(lost_style(element.place, "\"" + io::excerpt(property, 40) + "\" in a style", "is not read",
-                               "use an attribute, with a plain value"));
-    for (const char* more : {"filter", "marker", "marker-start", "marker-mid", "marker-end"})
-      if (!style.word(more).empty() && style.word(more) != "none")
-        drawing_.skip(
-            {element.place, "\"" + std::string(more) + "\"", "is not read: shapes are taken without it", "", "", true});
-  }
-
-  /// Of the page by its attribute alone: in styles it has another origin.
-  Affine placement(std::size_t node, const ElementStyle& style, const Viewport& viewport) {
-    const XmlElement& element = xml_.element(node);
-    const Affine attribute = parse_transform(element);
-    if (node == 0 && element.find("transform")) return attribute;
-    std::string unread = "transform";
-    const auto placed = placement_of(style, viewport, unread);
-    if (node > 0 && placed) return *placed;
-    if (!placed || placed->a != 1 || placed->b != 0 || placed->c != 0 || placed->d != 1)
-      drawing_.skip(lost_style(element.place, "\"" + unread + "\"", "is not read",
-                               "write the transform as a matrix, or apply it to the shapes"));
-    return attribute;
-  }
-
-  /// What is clipped by a rectangle is in a frame. Other clips and masks are not obeyed.
-  void clip(const XmlElement& element, const ElementStyle& style, Surroundings& s) {
-    for (const char* cut : {"clip-path", "mask"}) {
-      const std::string value = style.text(cut);
-      if (value.empty() || style.word(cut) == "none") continue;
-      const std::string name = "\"" + std::string(cut) + "\"", id = id_in_url(value);
-      const auto target = id.empty() ? std::nullopt : xml_.by_id(id);
-      if (!id.empty() && !target) {
-        drawing_.skip({element.place, name, "refers to what is not in the file", "", "", true});
-        continue;
-      }
-      const std::vector<Frame> frames =
-          target ? clipping_frames(*target, xml_, styles_, s.where, s.viewport) : std::vector<Frame>();
-      s.frames.insert(s.frames.end(), frames.begin(), frames.end());
-      if (frames.empty())
-        drawing_.skip(lost_style(element.place, name, "cuts by something else than one rectangle, and is not obeyed",
-                                 "cut the shapes in the program that drew them, or remove the clip"));
-    }
-  }
-
-  static std::string name_of(const XmlElement& element, bool group) {
-    const std::string* label = group ? element.find("inkscape:label") : nullptr;
-    if (!label || label->empty()) label = element.find("id");
-    return label ? *label : "";
-  }
-
   /// What fills or marks others.
   static bool is_paint(const std::string& name) {
     for (const char* known : {"pattern", "marker", "clipPath", "mask", "linearGradient", "radialGradient", "filter"})
@@ -313,30 +216,56 @@ class SvgReader {
   void read_shape(const XmlElement& element, const Surroundings& s) {
     const std::string what = "<" + element.name + ">";
     if (s.hidden || !s.displayed) return drawing_.skip(element.place, what, "is not visible");
-    const bool filled = s.filled && !s.clear_filling && element.name != "line";
-    if (!filled && (!s.stroked || s.clear_line || s.no_width)) {
+    const bool filled = s.paints_filling() && element.name != "line";
+    if (!filled && !s.paints_line()) {
       ++unpainted_;
       if (!reads_unpainted_)
         return drawing_.skip(element.place, what, "has neither a fill nor a stroke: it is not visible");
     }
-    const bool painted_only = filled && !(s.stroked && !s.clear_line && !s.no_width) && !s.nested;
+    const bool painted_only = filled && !s.paints_line() && !s.nested;
     if (painted_only && is_all_of_page(element)) return leave_out_background(element, s);
     if (has_unknown_size(element, s.viewport)) return lose(element, percent_reason);
     std::vector<Chain> chains = svg_shape(element, s.viewport, s.where, flattener_);
     if (chains.empty()) return drawing_.skip(element.place, what, "has no extent");
     if (painted_only && fills_page(chains)) return leave_out_background(element, s);
     if (is_beyond_frames(element, s, chains)) return;
-    Layer& layer = settings_.by == Grouping::color ? drawing_.layer(s.color.empty() ? "no color" : s.color)
-                                                   : drawing_.layers[static_cast<std::size_t>(s.layer)];
-    if (filled) {
-      // What is filled is closed.
-      for (Chain& chain : chains) chain.closed = true;
-      layer.sheets.push_back({name_of(element, false), s.fill, std::move(chains)});
-      return;
+    std::vector<Chain> filled_chains;
+    if (filled) filled_chains = take_filled(chains, s.fill);
+    if (!chains.empty()) add_lines(element, s, std::move(chains));
+    if (!filled_chains.empty())
+      layer_of(s).sheets.push_back({svg_name_of(element, false), s.fill, std::move(filled_chains)});
+  }
+
+  /// Those that enclose something, closed as what is filled is. The others stay: a filling does not show them.
+  std::vector<Chain> take_filled(std::vector<Chain>& chains, Fill fill) const {
+    require_range(chains);
+    std::vector<Chain> taken, left;
+    for (Chain& chain : chains) {
+      // The single chord of a half circle encloses nothing.
+      const bool encloses = coarse_ || encloses_area(chain, fill, settings_.max_points, drawing_.file);
+      if (encloses) chain.closed = true;
+      (encloses ? taken : left).push_back(std::move(chain));
     }
+    chains = std::move(left);
+    return taken;
+  }
+
+  void add_lines(const XmlElement& element, const Surroundings& s, std::vector<Chain> chains) {
+    if (s.paints_filling() && !s.paints_line() && element.name != "line") {
+      ++unpainted_;
+      if (!reads_unpainted_)
+        return drawing_.skip(chains.front().place, "<" + element.name + ">",
+                             "encloses nothing that its fill could paint, and has no stroke: it is not visible");
+    }
+    Layer& layer = layer_of(s);
     auto lines = std::find_if(layer.sheets.begin(), layer.sheets.end(), [](const Sheet& x) { return x.lines; });
     if (lines == layer.sheets.end()) lines = layer.sheets.insert(lines, Sheet{"", Fill::even_odd, {}, true});
     for (Chain& chain : chains) lines->chains.push_back(std::move(chain));
+  }
+
+  Layer& layer_of(const Surroundings& s) {
+    return settings_.by == Grouping::color ? drawing_.layer(s.color.empty() ? "no color" : s.color)
+                                           : drawing_.layers[static_cast<std::size_t>(s.layer)];
   }
 
   /// Also of a page whose size is not known.
@@ -414,12 +343,13 @@ class SvgReader {
   Flattener flattener_;
   StyleSheet styles_;
   Drawing drawing_;
+  SurroundingsReader surroundings_;
   std::vector<Level> open_;
   std::vector<std::size_t> definitions_;
   std::set<std::size_t> drawn_definitions_;
   std::optional<Frame> page_;  ///< if its size is known
   std::size_t cloned_ = 0, unpainted_ = 0;
-  bool reads_unpainted_;
+  bool reads_unpainted_, coarse_;
 };
 
 }  // namespace

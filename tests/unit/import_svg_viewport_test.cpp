@@ -64,11 +64,33 @@ TEST(ImportSvgPaint, TakesShapesForOutlinesWhereNothingIsPainted) {
   const Import import = svg_of("", shapes + "<rect x='50' width='3' height='3' display='none'/>");
   EXPECT_EQ(totals_of(import).holes, 1u);
   ASSERT_EQ(import.files[0].notes.size(), 1u);
-  EXPECT_EQ(import.files[0].notes[0], "nothing in the file has a fill or a stroke: its 2 shapes are read as outlines");
+  EXPECT_EQ(import.files[0].notes[0], "nothing in the file is painted: its 2 shapes are read as outlines");
   // Where anything is painted, what is not is not meant.
   const Import painted = svg_of("", shapes + "<rect x='50' width='3' height='3'/>");
   EXPECT_EQ(totals_of(painted).area, 9);
   EXPECT_EQ(painted.files[0].skipped.size(), 2u);
+}
+
+/// What encloses nothing has no filling, whether it is said or not: its stroke is a line, and without one it is not to
+/// be seen.
+TEST(ImportSvgPaint, ReadsLinesThatHaveTheFillOfPaths) {
+  const std::string sides = "<path d='M 0 0 H 80'/><path d='M 80 0 V 80 V 0 V 80'/><polyline points='80,80 0,80'/>",
+                    last = "<path d='M 0 80 V 0'/>";
+  const std::string hole = "<rect x='30' y='30' width='20' height='20' fill='none' stroke='red'/>";
+  testing::expect_totals(svg_of("", "<g stroke='black'>" + sides + last + hole + "</g>"), 6000, 1, 1);
+  testing::expect_totals(
+      svg_of("", "<g stroke='black'><path d='M 0 0 H 80 M 80 0 V 80 M 80 80 H 0 M 0 80 V 0'/>" + hole + "</g>"), 6000,
+      1, 1);
+  const Import unseen = svg_of("", "<g>" + sides + last + hole + "</g>");
+  testing::expect_totals(unseen, 400, 1, 0);
+  ASSERT_EQ(unseen.files[0].skipped.size(), 2u);
+  EXPECT_EQ(unseen.files[0].skipped[0].what + unseen.files[0].skipped[1].what, "<path><polyline>");
+  EXPECT_NE(unseen.files[0].skipped[0].reason.find("has no stroke"), std::string::npos);
+  EXPECT_EQ(unseen.files[0].skipped[0].times, 3);
+  // Where nothing is painted, such lines are outlines as others are.
+  testing::expect_totals(svg_of("", sides + last), 6400, 1, 0);
+  // Halves of circles are known by more than their chords.
+  testing::expect_totals(svg_of("", "<path d='M 0 0 A 500 500 0 0 1 1000 0'/>"), 392699, 1, 0, 20);
 }
 
 TEST(ImportSvgPaint, TakesOneAlternativeOfASwitch) {
