@@ -188,6 +188,11 @@ void Heights::include(const DxfItem& item) {
   if (!any) add(0);
 }
 
+bool ends_at_its_start(const DxfItem& item) {
+  if (item.type() == "ARC") return item.number(50) == item.number(51, 360);
+  return item.type() == "ELLIPSE" && item.number(41, 0) == item.number(42, dxf_turn);
+}
+
 std::vector<BulgedVertex> vertices_of(const DxfItem& lwpolyline) {
   std::vector<BulgedVertex> vertices;
   for (const DxfGroup& group : lwpolyline.groups()) {

@@ -36,6 +36,10 @@ std::vector<BulgedVertex> vertices_of(const DxfItem& lwpolyline);
 Chain bulged_chain(const std::vector<BulgedVertex>& vertices, bool closed, const std::string& place,
                    const Affine& where, Flattener& flattener);
 
+/// Has an ARC or ELLIPSE the same angle, or parameter, as start and end? That is a full turn, or nothing: DXF does not
+/// say.
+bool ends_at_its_start(const DxfItem& item);
+
 /// LINE, LWPOLYLINE, ARC, CIRCLE, ELLIPSE or SPLINE as a chain; nothing for other types. Throws InputError.
 std::optional<Chain> chain_of(const DxfItem& item, const Affine& where, Flattener& flattener);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <iterator>
 #include <map>
 #include <set>
 #include <utility>
@@ -10,6 +11,7 @@
 #include "import/body_text.hpp"
 #include "import/dxf_entities.hpp"
 #include "import/dxf_hatch.hpp"
+#include "import/dxf_structure.hpp"
 #include "import/text_encoding.hpp"
 #include "io/number_text.hpp"
 #include "io/text_file.hpp"
@@ -24,43 +26,6 @@ namespace {
 constexpr int deepest_block = 16;
 constexpr std::size_t most_entities = 5000000;
 
-struct Block {
-  std::string name;
-  Point base;
-  std::vector<const DxfItem*> items;
-  bool external = false;  ///< it is in another file
-};
-
-/// A unit of $INSUNITS.
-struct Unit {
-  const char* name;
-  double millimetres;  ///< that it has; 0 if that is not known
-};
-
-const Unit& unit_of(int code) {
-  static const std::map<int, Unit> units{{0, {"none given", 0}},
-                                         {1, {"in", 25.4}},
-                                         {2, {"ft", 304.8}},
-                                         {3, {"miles", 1609344}},
-                                         {4, {"mm", 1}},
-                                         {5, {"cm", 10}},
-                                         {6, {"m", 1000}},
-                                         {7, {"km", 1e6}},
-                                         {8, {"microinches", 25.4e-6}},
-                                         {9, {"mils", 0.0254}},
-                                         {10, {"yd", 914.4}},
-                                         {11, {"angstroms", 1e-7}},
-                                         {12, {"nm", 1e-6}},
-                                         {13, {"micrometres", 1e-3}},
-                                         {14, {"dm", 100}},
-                                         {15, {"dam", 1e4}},
-                                         {16, {"hm", 1e5}},
-                                         {21, {"US survey ft", 304.8006}}};
-  static const Unit others{"others", 0};
-  const auto unit = units.find(code);
-  return unit == units.end() ? others : unit->second;
-}
-
 /// What an entity hands down to those that are inserted by it.
 struct Inherited {
   std::string layer, group;
@@ -74,35 +39,30 @@ std::vector<Point> corners_of(const std::vector<const DxfItem*>& items, const Af
   return corners;
 }
 
-/// Of a number that no drawing has, what no table knows.
-int whole(double value) { return value > -1e9 && value < 1e9 ? static_cast<int>(value) : -1; }
-
 /// Goes through the entities of a file whose text has been read.
 class DxfReader {
  public:
   DxfReader(const std::vector<DxfItem>& items, const std::string& file, const ImportSettings& settings,
             double tolerance)
-      : items_(items), settings_(settings), flattener_(settings, tolerance, file) {
+      : settings_(settings), flattener_(settings, tolerance, file), structure_(items) {
     drawing_.file = file;
     drawing_.format = "DXF";
     drawing_.any_case = true;
-    set_unit(0);
+    const DxfUnit& unit = structure_.unit();
+    drawing_.state_unit(unit.name, unit.millimetres > 0 ? std::optional(unit.millimetres) : std::nullopt, settings_);
   }
 
   Drawing read() {
-    sort_items();
     const Affine root = scaling(settings_.scale, settings_.scale);
-    read_entities(entities_, root, {}, 0);
+    read_entities(structure_.entities(), root, {}, 0);
     add_fillings();
+    std::vector<std::string> notes = structure_.notes();
+    std::move(notes.begin(), notes.end(), std::back_inserter(drawing_.notes));
     drawing_.layer_names.assign(layers_.begin(), layers_.end());
     if (settings_.by != Grouping::automatic && settings_.by != Grouping::layer)
       for (const Layer& layer : drawing_.layers)
         if (!layers_.count(layer.name)) drawing_.layer_names.push_back(layer.name);
-    if (fitted_ > 0)
-      drawing_.notes.push_back(std::to_string(fitted_) + (fitted_ == 1 ? " spline has" : " splines have") +
-                               " no control points, the first one at " + first_fitted_ +
-                               ": cubic through the fit points by chord lengths, and natural at ends without a tangent;"
-                               " other programs may draw another curve");
+    note_doubtful_curves();
     if (heights_.lo < heights_.hi)
       drawing_.notes.push_back("z runs from " + io::number_text(heights_.lo) + " to " + io::number_text(heights_.hi) +
                                ", and is left out: the drawing is seen from above");
@@ -112,59 +72,18 @@ class DxfReader {
   }
 
  private:
-  void set_unit(int code) {
-    const Unit& unit = unit_of(code);
-    drawing_.state_unit(unit.name, unit.millimetres > 0 ? std::optional(unit.millimetres) : std::nullopt, settings_);
-  }
-
-  /// Which items are entities of the drawing, and which belong to blocks; units and hidden layers on the way.
-  void sort_items() {
-    std::string section;
-    Block* block = nullptr;
-    for (const DxfItem& item : items_) {
-      if (item.type() == "SECTION") {
-        section = item.text(2);
-        if (section == "HEADER") read_header(item);
-      } else if (item.type() == "ENDSEC") {
-        section.clear();
-      } else if (section == "TABLES" && item.type() == "LAYER") {
-        read_layer(item);
-      } else if (section == "BLOCKS" && item.type() == "BLOCK") {
-        block = &blocks_[folded_case(item.text(2))];
-        *block = {item.text(2), item.point(10), {}, (item.integer(70) & 4) != 0};
-      } else if (section == "BLOCKS" && item.type() == "ENDBLK") {
-        block = nullptr;
-      } else if (section == "BLOCKS" && block) {
-        block->items.push_back(&item);
-      } else if (section == "ENTITIES") {
-        entities_.push_back(&item);
-      }
-    }
-  }
-
-  void read_header(const DxfItem& header) {
-    std::string variable;
-    for (const DxfGroup& group : header.groups()) {
-      if (group.code == 9) variable = group.value;
-      if (variable == "$INSUNITS" && group.code == 70) set_unit(whole(header.number_of(group)));
-    }
-  }
-
-  void read_layer(const DxfItem& item) {
-    const int color = item.integer(62, 7);
-    const std::string name = layer_named(item.text(2));
-    if ((item.integer(70) & 1) != 0) frozen_.insert(name);
-    if (color < 0) off_.insert(name);
-    colors_[name] = std::abs(color);
-  }
-
-  /// The layer as the file spells it first: "CUT" and "cut" are one.
-  const std::string& layer_named(const std::string& name) {
-    const auto [known, is_new] = spellings_.emplace(folded_case(name), name);
-    if (!is_new && known->second != name && respelled_.insert(name).second)
-      drawing_.notes.push_back("layers \"" + io::excerpt(known->second) + "\" and \"" + io::excerpt(name) +
-                               "\" are one: DXF does not tell capitals from small letters");
-    return known->second;
+  /// Curves that other programs may read otherwise.
+  void note_doubtful_curves() {
+    if (fitted_.count > 0)
+      drawing_.notes.push_back(std::to_string(fitted_.count) + (fitted_.count == 1 ? " spline has" : " splines have") +
+                               " no control points, the first one at " + fitted_.first +
+                               ": cubic through the fit points by chord lengths, and natural at ends without a tangent;"
+                               " other programs may draw another curve");
+    if (whole_turns_.count > 0)
+      drawing_.notes.push_back(
+          (whole_turns_.count == 1 ? "1 arc ends" : std::to_string(whole_turns_.count) + " arcs end") +
+          " at the angle of the start, the first one at " + whole_turns_.first +
+          ": a full circle, as LibreCAD and QCAD read it; other programs may draw nothing");
   }
 
   void read_entities(const std::vector<const DxfItem*>& items, const Affine& where, const Inherited& inherited,
@@ -182,7 +101,7 @@ class DxfReader {
         if (i + 1 < items.size() && items[i + 1]->type() == "SEQEND") ++i;
       }
       Inherited own = inherited;
-      const std::string& layer = layer_named(item.text(8, "0"));
+      const std::string& layer = structure_.layer_named(item.text(8, "0"));
       if (layer != "0" || inherited.layer.empty()) own.layer = layer;
       try {
         own.color = color_of(item, own.layer, inherited.color);
@@ -198,9 +117,7 @@ class DxfReader {
   int color_of(const DxfItem& item, const std::string& layer, int inherited) const {
     const int own = item.integer(62, 256);
     if (own == 0) return inherited;
-    if (own != 256) return std::abs(own);
-    const auto known = colors_.find(layer);
-    return known == colors_.end() ? 7 : known->second;
+    return own == 256 ? structure_.color_of_layer(layer) : std::abs(own);
   }
 
   /// What the entity is grouped by.
@@ -221,7 +138,7 @@ class DxfReader {
     if (item.integer(67) != 0) return skip(item, own.layer, "is in paper space, not in the model", false);
     // A layer that is off hides of a block what lies on it. One that is frozen hides the block.
     const bool block = type == "INSERT";
-    if (frozen_.count(own.layer) || (off_.count(own.layer) && !block))
+    if (structure_.is_frozen(own.layer) || (structure_.is_off(own.layer) && !block))
       return skip(item, own.layer, "is on a layer that is off or frozen", false);
     if (!block && !wanted(own.layer)) return;
     if (item.integer(60) != 0) return skip(item, own.layer, "is not visible", false);
@@ -259,7 +176,8 @@ class DxfReader {
       tell_chorded(item, own.layer);
     }
     if (!chain) return lose(item, own.layer, reason_for(type), corners_of(item, placed));
-    if (type == "SPLINE" && !item.has(10) && fitted_++ == 0) first_fitted_ = item.place();
+    if (type == "SPLINE" && !item.has(10)) fitted_.add(item);
+    if (ends_at_its_start(item)) whole_turns_.add(item);
     if (chain->points.empty() || box_of(chain->points).longest() == 0)
       return skip(item, own.layer, "has no extent", false);
     Layer& target = drawing_.layer(group_of(item, own));
@@ -330,18 +248,22 @@ class DxfReader {
 
   void insert(const DxfItem& item, const Affine& where, Inherited own, int depth) {
     const std::string name = item.text(2);
-    const auto block = blocks_.find(folded_case(name));
-    const bool here = block != blocks_.end() && !block->second.external;
-    if (!here && !wanted(own.layer)) return;
-    if (block == blocks_.end())
-      return lose(item, own.layer, "inserts the block \"" + io::excerpt(name) + "\", which is not in the file", {});
-    if (block->second.external)
-      return lose(item, own.layer, "inserts the block \"" + io::excerpt(name) + "\", which is in another file", {});
+    const DxfBlock* block = structure_.block(name);
+    if ((!block || block->external) && !wanted(own.layer)) return;
+    const std::string what = "inserts the block \"" + io::excerpt(name) + "\", ";
+    if (!block) return lose(item, own.layer, what + "which is not in the file", {});
+    if (block->external) return lose(item, own.layer, what + "which is in another file", {});
+    if (structure_.is_clipped(item)) {
+      Skipped clip = skipped(item, own.layer, what + "and shows only a part of it (XCLIP), which is not obeyed", true,
+                             {{item.place(), {}}});
+      clip.remedy = "explode the block and trim its lines, or switch the clip off (XCLIP OFF)";
+      drawing_.skip(std::move(clip));
+    }
     if (depth == deepest_block) return lose(item, own.layer, "is within blocks that are more than 16 deep", {});
-    const std::string& spelled = block->second.name;
+    const std::string& spelled = block->name;
     if (depth == 0) own.group = spelled + (inserted_[spelled]++ > 0 ? " " + std::to_string(inserted_[spelled]) : "");
     const int columns = item.integer(70, 1), rows = item.integer(71, 1);
-    const Point at = item.point(10), base = block->second.base;
+    const Point at = item.point(10), base = block->base;
     const Affine turn = rotation(item.number(50));
     const Affine scaled = turn * scaling(item.number(41, 1), item.number(42, 1)) * translation(-base.x, -base.y);
     for (int row = 0; row < std::max(rows, 1); ++row) {
@@ -350,7 +272,7 @@ class DxfReader {
         const Affine copy = where * translation(at.x + step.x, at.y + step.y) * scaled;
         // Empty blocks are counted, too.
         if (++entities_read_ > most_entities) return lose(item, own.layer, "has too many copies", {});
-        read_entities(block->second.items, copy, own, depth + 1);
+        read_entities(block->items, copy, own, depth + 1);
       }
     }
   }
@@ -379,19 +301,25 @@ class DxfReader {
     Fill fill;
   };
 
-  const std::vector<DxfItem>& items_;
+  /// How many there are of a kind, and where the first one is.
+  struct Tally {
+    std::size_t count = 0;
+    std::string first;
+    void add(const DxfItem& item) {
+      if (count++ == 0) first = item.place();
+    }
+  };
+
   ImportSettings settings_;
   Flattener flattener_;
+  DxfStructure structure_;
   Drawing drawing_;
-  std::vector<const DxfItem*> entities_;
-  std::map<std::string, Block> blocks_;
-  std::map<std::string, int> inserted_, colors_;
-  std::map<std::string, std::string> spellings_;  ///< of layers, by their names in small letters
-  std::set<std::string> off_, frozen_, layers_, respelled_;
+  std::map<std::string, int> inserted_;
+  std::set<std::string> layers_;
   std::vector<Filling> fillings_;
   Heights heights_;
-  std::size_t entities_read_ = 0, fitted_ = 0;
-  std::string first_fitted_;  ///< of splines without control points
+  std::size_t entities_read_ = 0;
+  Tally fitted_, whole_turns_;  ///< splines without control points, arcs of which only the start is known
 };
 
 }  // namespace

@@ -55,6 +55,30 @@ TEST(ImportDxfLayers, HidesOfBlocksWhatLiesOnLayersThatAreOff) {
   EXPECT_NEAR(discs(layer_entry("in", 0, -7) + layer_entry("out", 0, -7)), 0, within);
 }
 
+/// XCLIP hides a part of an inserted block: by a filter that hangs on the dictionary of the INSERT.
+TEST(ImportDxfLayers, RefusesBlocksOfWhichAClipHidesAPart) {
+  const auto file = [](const std::string& enabled) {
+    std::string text = block_file("", "in", "out");
+    text.insert(text.find("0\nINSERT\n") + 9, "5\n30\n102\n{ACAD_XDICTIONARY\n360\n3A\n102\n}\n");
+    const std::string objects = "0\nDICTIONARY\n5\n3a\n3\nACAD_FILTER\n360\n3B\n0\nDICTIONARY\n5\n3B\n3\nSPATIAL\n" +
+                                std::string("360\n3C\n0\nSPATIAL_FILTER\n5\n3C\n70\n2\n10\n0\n20\n0\n10\n1\n20\n1\n") +
+                                "71\n" + enabled + "\n";
+    return text.insert(text.rfind("0\nEOF"), section("OBJECTS", objects));
+  };
+  const Import clipped = examine(file("1"), "d.dxf");
+  ASSERT_EQ(clipped.faults.size(), 1u);
+  EXPECT_NE(clipped.faults[0].problem().find("\"PAIR\", and shows only a part of it (XCLIP)"), std::string::npos);
+  EXPECT_NE(clipped.faults[0].hint().find("XCLIP OFF"), std::string::npos);
+  ASSERT_EQ(clipped.files[0].skipped.size(), 1u);
+  EXPECT_EQ(clipped.files[0].skipped[0].handle, "30");
+  EXPECT_TRUE(examine(file("0"), "d.dxf").faults.empty()) << "the clip is switched off";
+  ImportSettings settings;
+  settings.open = drawing::OpenRings::skip;
+  EXPECT_NEAR(discs_of(file("1"), settings), 5, 0.1) << "as it is";
+  settings.strict = true;
+  EXPECT_EQ(examine(file("1"), "d.dxf", settings).faults.size(), 1u);
+}
+
 TEST(ImportDxfLayers, ReadsOfBlocksTheLayersThatAreWanted) {
   ImportSettings settings;
   settings.layers = {"in"};

@@ -68,5 +68,21 @@ TEST(ImportNotes, FillingsApartFromAllLinesAreShapes) {
   expect_totals(examine(text), 500, 2, 0);
 }
 
+/// LibreCAD and QCAD draw a circle, ezdxf nothing.
+TEST(ImportNotes, SayOfArcsThatEndAtTheirStartHowTheyAreRead) {
+  DxfText text;
+  text.box({0, 0}, {40, 40}).arc({10, 10}, 5, 30, 30);
+  text.begin("ELLIPSE", "0").at(10, {30, 30}).at(11, {5, 0}).group(40, "0.5").group(41, "1").group(42, "1");
+  const auto import = examine(text);
+  testing::expect_totals(import, 1600 - 37.5 * 3.14159265, 1, 2, 0.5);
+  ASSERT_EQ(import.files[0].notes.size(), 1u);
+  EXPECT_NE(import.files[0].notes[0].find("2 arcs end at the angle of the start"), std::string::npos);
+  // Where the end is a little behind the start, there is no doubt: a short arc, or nearly a full one.
+  DxfText others;
+  others.box({0, 0}, {40, 40}).arc({1e6, 10}, 1e6 - 50, 180, 180.0000001).arc({10, 10}, 5, 0, 360);
+  EXPECT_TRUE(examine(others).files[0].notes.empty());
+  testing::expect_totals(examine(others), 1600 - 25 * 3.14159265, 1, 1, 0.5);
+}
+
 }  // namespace
 }  // namespace taut
