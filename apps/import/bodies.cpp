@@ -74,6 +74,7 @@ void BodyMaker::add(Drawing drawing) {
     for (Sheet& sheet : drawing.layers[k].sheets)
       if (!sheet.lines) read_sheet(drawing.layers[k], sheet, parts_[k]);
   read_lines(drawing);
+  drop_repeated_fillings(drawing);
   note_shapes_in_others();
   for (std::size_t k = 0; k < parts_.size(); ++k) cut_out(drawing.layers[k], parts_[k]);
   require_nothing_lost(drawing);

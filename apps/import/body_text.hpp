@@ -10,6 +10,7 @@
 #include "geometry/predicates.hpp"
 #include "geometry/segment_strips.hpp"
 #include "import/drawing.hpp"
+#include "io/text_file.hpp"
 #include "taut/error.hpp"
 
 namespace taut::drawing {
@@ -26,6 +27,9 @@ inline void require_range(const std::vector<Chain>& chains) {
     }
   }
 }
+
+/// A layer in messages, after the word "layer": those of SVG may have no name.
+inline std::string layer_title(const std::string& name) { return name.empty() ? "without a name" : io::excerpt(name); }
 
 inline AxisBox box_of(const Polygon& ring) {
   AxisBox box(ring[0], ring[0]);

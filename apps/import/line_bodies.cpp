@@ -35,37 +35,6 @@ bool lies_within(const Polygon& ring, const Polygon& outer, double distance) {
          });
 }
 
-/// A point inside of the part, as far as doubles show: the middle of the widest stretch of a horizontal line.
-Point inner_point(const Part& part) {
-  std::vector<double> heights;
-  for (const Point& p : part.outline) heights.push_back(p.y);
-  for (const Polygon& hole : part.holes)
-    for (const Point& p : hole) heights.push_back(p.y);
-  std::sort(heights.begin(), heights.end());
-  std::size_t highest = 1;
-  for (std::size_t i = 1; i < heights.size(); ++i)
-    if (heights[i] - heights[i - 1] > heights[highest] - heights[highest - 1]) highest = i;
-  const double y = (heights[highest - 1] + heights[highest]) / 2;
-  std::vector<double> at;
-  const auto cut = [&](const Polygon& ring) {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Point &a = ring[i], &b = ring[(i + 1) % ring.size()];
-      if ((a.y > y) != (b.y > y)) at.push_back(a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x));
-    }
-  };
-  cut(part.outline);
-  for (const Polygon& hole : part.holes) cut(hole);
-  std::sort(at.begin(), at.end());
-  Point best = part.outline.front();
-  double width = 0;
-  for (std::size_t i = 0; i + 1 < at.size(); i += 2) {
-    if (at[i + 1] - at[i] <= width) continue;
-    width = at[i + 1] - at[i];
-    best = {at[i] + width / 2, y};
-  }
-  return best;
-}
-
 /// Of any closed chain, or chain that is not one straight line.
 double least_extent(const std::vector<Chain>& chains) {
   double least = INFINITY;
@@ -107,7 +76,7 @@ void BodyMaker::read_lines(Drawing& drawing) {
     for (std::size_t k = 0; k < lines.size(); ++k) plan.sets.push_back({k});
   for (const std::size_t k : plan.marks)
     file_.notes.push_back(fmt::format("layer {} encloses nothing, and changes no area: its {} are marks",
-                                      io::excerpt(drawing.layers[lines[k].layer].name),
+                                      layer_title(drawing.layers[lines[k].layer].name),
                                       counted_text(lines[k].chains.size(), "line", "lines")));
   adopt_holes(lines, plan, settings);
   std::vector<Piece> pieces;
@@ -181,7 +150,7 @@ void BodyMaker::note_coarse_join(const std::vector<LineLayer>& lines) {
 
 void BodyMaker::note_conflicts(const Drawing& drawing, const std::vector<LineLayer>& lines, const LayerPlan& plan) {
   const auto name = [&](std::size_t set) {
-    return io::excerpt(drawing.layers[lines[plan.sets[set].front()].layer].name);
+    return layer_title(drawing.layers[lines[plan.sets[set].front()].layer].name);
   };
   using Kind = LayerConflict::Kind;
   for (const Kind kind : {Kind::cross, Kind::along, Kind::touch}) {
@@ -224,7 +193,7 @@ void BodyMaker::note_border(const Drawing& drawing, const std::vector<Piece>& pi
   constexpr std::size_t longest = 200;
   file_.notes.push_back(fmt::format(
       "layer {} encloses all others, and bodies lie in its holes: if it is the border of a sheet, leave it out with{}",
-      io::excerpt(drawing.layers[largest.layer].name),
+      layer_title(drawing.layers[largest.layer].name),
       names.size() > longest ? " --layer for each of the others" : names));
 }
 
@@ -252,11 +221,11 @@ bool BodyMaker::encloses(const Piece& outer, const Piece& inner) const {
 
 void BodyMaker::fail_nesting(const Drawing& drawing, const Piece& inner, const Piece& outer) {
   fail(inner.place,
-       fmt::format("the layer \"{}\" has an outline (area {:.6g}) within layer \"{}\" (area {:.6g}), and one of the "
+       fmt::format("layer {} has an outline (area {:.6g}) within layer {} (area {:.6g}), and one of the "
                    "two crosses another layer, shares a line with it, or touches it at several points: is it a hole or "
                    "a body?",
-                   io::excerpt(drawing.layers[inner.layer].name), area_of(inner.region.part),
-                   io::excerpt(drawing.layers[outer.layer].name), area_of(outer.region.part)),
+                   layer_title(drawing.layers[inner.layer].name), area_of(inner.region.part),
+                   layer_title(drawing.layers[outer.layer].name), area_of(outer.region.part)),
        "say --by layer, if each layer is a body, or --merge-layers, if all of them are lines to cut");
 }
 
@@ -343,8 +312,8 @@ void BodyMaker::note_holes(const Outlines& outlines, const std::vector<std::stri
   }
   for (const auto& [names, n] : holes)
     file_.notes.push_back(
-        fmt::format("layer {}: {} in material of layer {} (--by layer keeps layers apart)", io::excerpt(names.first),
-                    counted_text(n, "contour is a hole", "contours are holes"), io::excerpt(names.second)));
+        fmt::format("layer {}: {} in material of layer {} (--by layer keeps layers apart)", layer_title(names.first),
+                    counted_text(n, "contour is a hole", "contours are holes"), layer_title(names.second)));
 }
 
 }  // namespace taut::drawing

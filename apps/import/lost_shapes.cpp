@@ -22,8 +22,8 @@ void add_edges(const Polygon& ring, std::vector<AxisBox>& boxes) {
 std::string consequence_of(const Skipped& skipped, const LostShape& shape, const std::string& layer) {
   if (!skipped.remedy.empty()) return shape.points.empty() ? "; it may change the shape of any body" : "";
   if (shape.points.empty()) return "; where it lies is not known, and it may be a hole or an outline of any body";
-  return fmt::format("; it lies in material of layer \"{}\", or across its boundary, and may be a hole or an outline",
-                     io::excerpt(layer));
+  return fmt::format("; it lies in material of layer {}, or across its boundary, and may be a hole or an outline",
+                     layer_title(layer));
 }
 
 }  // namespace

@@ -255,4 +255,34 @@ bool roughly_inside(const Part& part, const Point& p) {
                                                          [&](const Polygon& hole) { return roughly_inside(hole, p); });
 }
 
+Point inner_point(const Part& part) {
+  std::vector<double> heights;
+  for (const Point& p : part.outline) heights.push_back(p.y);
+  for (const Polygon& hole : part.holes)
+    for (const Point& p : hole) heights.push_back(p.y);
+  std::sort(heights.begin(), heights.end());
+  std::size_t highest = 1;
+  for (std::size_t i = 1; i < heights.size(); ++i)
+    if (heights[i] - heights[i - 1] > heights[highest] - heights[highest - 1]) highest = i;
+  const double y = (heights[highest - 1] + heights[highest]) / 2;
+  std::vector<double> at;
+  const auto cut = [&](const Polygon& ring) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Point &a = ring[i], &b = ring[(i + 1) % ring.size()];
+      if ((a.y > y) != (b.y > y)) at.push_back(a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x));
+    }
+  };
+  cut(part.outline);
+  for (const Polygon& hole : part.holes) cut(hole);
+  std::sort(at.begin(), at.end());
+  Point best = part.outline.front();
+  double width = 0;
+  for (std::size_t i = 0; i + 1 < at.size(); i += 2) {
+    if (at[i + 1] - at[i] <= width) continue;
+    width = at[i + 1] - at[i];
+    best = {at[i] + width / 2, y};
+  }
+  return best;
+}
+
 }  // namespace taut::drawing

@@ -57,5 +57,7 @@ inline bool is_left_of(const Point& p, const Point& a, const Point& b) {
 bool roughly_inside(const Polygon& ring, const Point& p);
 /// Is p in the part, and in none of its holes?
 bool roughly_inside(const Part& part, const Point& p);
+/// A point inside of the part, as far as doubles show: the middle of the widest stretch of a horizontal line.
+Point inner_point(const Part& part);
 
 }  // namespace taut::drawing

@@ -1,0 +1,119 @@
+// Of BodyMaker: filled shapes that repeat what lines of another layer enclose.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "geometry/segment_strips.hpp"
+#include "import/bodies.hpp"
+#include "import/body_text.hpp"
+#include "import/open_lines.hpp"
+#include "io/text_file.hpp"
+
+namespace taut::drawing {
+using namespace internal;
+
+namespace {
+
+using Segments = std::vector<std::pair<Point, Point>>;
+
+void add_sides(const Polygon& ring, Segments& sides) {
+  for (std::size_t i = 0; i < ring.size(); ++i) sides.emplace_back(ring[i], ring[(i + 1) % ring.size()]);
+}
+
+Segments sides_of(const Part& part) {
+  Segments sides;
+  add_sides(part.outline, sides);
+  for (const Polygon& hole : part.holes) add_sides(hole, sides);
+  return sides;
+}
+
+SegmentStrips strips_of(const Segments& sides) {
+  std::vector<AxisBox> boxes;
+  for (const auto& [a, b] : sides) boxes.emplace_back(a, b);
+  return SegmentStrips(std::move(boxes));
+}
+
+/// Do lines run along the boundary? Its vertices and the middles of its sides tell.
+bool runs_along(const Segments& boundary, const Segments& lines, const SegmentStrips& strips, double near) {
+  const auto on_line = [&](const Point& p) {
+    bool any = false;
+    strips.each_near(AxisBox(p, p, near), [&](std::size_t k) {
+      any = any || distance_to_segment(p, lines[k].first, lines[k].second) <= near;
+    });
+    return any;
+  };
+  return std::all_of(boundary.begin(), boundary.end(), [&](const auto& side) {
+    const auto& [a, b] = side;
+    return on_line(a) && on_line({a.x + (b.x - a.x) / 2, a.y + (b.y - a.y) / 2});
+  });
+}
+
+double length_of(const Segments& sides) {
+  double sum = 0;
+  for (const auto& [a, b] : sides) sum += std::hypot(a.x - b.x, a.y - b.y);
+  return sum;
+}
+
+}  // namespace
+
+/// A filling that follows contours of another layer shows what is material, as hatches do: a body of its own would be
+/// that part again. Where it covers holes of the contours, these count.
+void BodyMaker::drop_repeated_fillings(const Drawing& drawing) {
+  if (settings_.by == Grouping::layer || settings_.by == Grouping::color) return;
+  struct Contour {
+    std::size_t layer;
+    Point inner;
+    double area, filled;  ///< with its holes, and without
+  };
+  std::vector<Contour> contours;
+  Segments lines;
+  for (std::size_t k = 0; k < parts_.size(); ++k) {
+    for (const Named& named : parts_[k]) {
+      if (!named.lines) continue;
+      contours.push_back({k, inner_point(named.part), area_of(named.part), area_of({named.part.outline, {}})});
+      for (const auto& side : sides_of(named.part)) lines.push_back(side);
+    }
+  }
+  const SegmentStrips strips = strips_of(lines);
+  const double near = file_.fineness.join + 2 * file_.fineness.tolerance;
+  struct Repeated {
+    std::size_t same = 0, covering = 0;
+    std::string first;
+  };
+  std::map<std::pair<std::size_t, std::size_t>, Repeated> repeated;  // layers of fillings and of their contours
+  const auto repeats = [&](const Named& named, std::size_t layer) {
+    if (named.lines || contours.empty()) return false;
+    const Segments boundary = sides_of(named.part);
+    if (!runs_along(boundary, lines, strips, near)) return false;
+    double area = 0, filled = 0;
+    const Contour* within = nullptr;
+    for (const Contour& contour : contours) {
+      if (contour.layer == layer || !roughly_inside(named.part, contour.inner)) continue;
+      within = &contour;
+      area += contour.area;
+      filled += contour.filled;
+    }
+    const double own = area_of(named.part), slack = near * length_of(boundary);
+    if (!within || own < area - slack || own > filled + slack) return false;
+    Repeated& here = repeated[{layer, within->layer}];
+    if (here.same + here.covering == 0) here.first = named.place;
+    ++(own <= area + slack ? here.same : here.covering);
+    return true;
+  };
+  for (std::size_t k = 0; k < parts_.size(); ++k)
+    std::erase_if(parts_[k], [&](const Named& named) { return repeats(named, k); });
+  for (const auto& [layers, count] : repeated) {
+    const std::size_t n = count.same + count.covering;
+    file_.notes.push_back(fmt::format(
+        "layer {}: {} of layer {}, the first one at {}: the same part, and no body of its own{} (--by layer keeps "
+        "layers apart)",
+        layer_title(drawing.layers[layers.first].name),
+        n == 1 ? "1 filled shape follows contours" : fmt::format("{} filled shapes follow contours", n),
+        layer_title(drawing.layers[layers.second].name), count.first,
+        count.covering > 0 ? "; holes that are covered are holes" : ""));
+  }
+}
+
+}  // namespace taut::drawing
