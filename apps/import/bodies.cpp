@@ -195,12 +195,16 @@ void BodyMaker::read_parts(const Layer& layer, Sheet& sheet, std::vector<Named>&
     require_range(rings);
     Outlines outlines = outlines_of_repair(rings, outline_settings());
     for (const Repair& repair : outlines.repairs) {
-      file_.repairs.push_back(
-          {repair.kind == Repair::Kind::loop ? "loop" : "crossing", file_.file, layer.name, repair.at, repair.size});
+      const bool loop = repair.kind == Repair::Kind::loop, spike = repair.kind == Repair::Kind::spike;
+      file_.repairs.push_back({loop    ? "loop"
+                               : spike ? "spike"
+                                       : "crossing",
+                               file_.file, layer.name, repair.at, repair.size});
       if (repair.size > file_.fineness.repair)
         fail(file_.file + ": " + io::excerpt(layer.name),
-             fmt::format("a ring crosses itself or another one near {}, and what would be cut off is {:.4g} wide",
-                         point_text(repair.at), repair.size),
+             fmt::format("a ring {} near {}, and what would be cut off is {:.4g} {}",
+                         spike ? "goes to and fro along a line" : "crosses itself or another one",
+                         point_text(repair.at), repair.size, spike ? "long" : "wide"),
              fmt::format("allow it with --repair {:.3g}, or mend the file", repair.size * 1.01));
     }
     for (Region& region : outlines.regions)

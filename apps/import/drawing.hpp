@@ -99,6 +99,7 @@ struct Skipped {
   int times = 1;
   std::vector<LostShape> shapes = {};  ///< of all of its kind and layer
   std::string remedy = {};             ///< of what changes shapes that are read: it is an error in any case
+  std::string advice = {};             ///< how to have it read; empty for the usual
 };
 
 /// A curve that a scene can have, and the points that stand for it between its ends; at least one.

@@ -54,6 +54,7 @@ const std::vector<OtherKind>& other_kinds() {
       {{".shp", ".gpkg", ".kml", ".gml", ".gpx", ".osm", ".fgb"},
        "is a map in a format that is not read",
        "convert it to GeoJSON: ogr2ogr map.geojson FILE"},
+      {{".topojson"}, "is TopoJSON, whose shapes share arcs", "convert it to GeoJSON: ogr2ogr map.geojson FILE"},
       {{".zip", ".gz", ".7z", ".tar"}, "is an archive", "unpack it, and give the drawing that is in it"}};
   return kinds;
 }

@@ -40,10 +40,23 @@ void scale_parts(std::vector<Part>& parts, double scale) {
 
 const char* const heights_left_out = "z and m of vertices are left out: the plane is seen from above";
 
+/// `area`: it may enclose one.
+void skip_geometry(Drawing& drawing, const std::string& place, const std::string& what, const std::string& reason,
+                   bool area) {
+  Skipped skipped{place, what, reason, "", "", true};
+  if (area) {
+    skipped.shapes = {{place, {}}};
+    skipped.advice = "make polygons of its curves: ST_CurveToLine() in PostGIS, or ogr2ogr -nlt CONVERT_TO_LINEAR";
+    drawing.remedy = skipped.advice;
+  }
+  drawing.skip(std::move(skipped));
+}
+
 Drawing read_map(std::string text, const std::string& file, const ImportSettings& settings, bool wkt) {
   Drawing drawing;
   drawing.file = file;
   drawing.format = wkt ? "WKT" : "GeoJSON";
+  drawing.remedy = "only polygons are read: make them of lines that are closed, with ST_MakePolygon() in PostGIS, say";
   drawing.state_unit("the file's own", std::nullopt, settings);
   const auto add = [&](const std::string& name, std::vector<Part> parts) {
     if (settings.scale != 1) scale_parts(parts, settings.scale);
@@ -53,8 +66,8 @@ Drawing read_map(std::string text, const std::string& file, const ImportSettings
     io::WktRest rest;
     std::vector<Part> parts = io::parse_wkt_polygons(std::move(text), file, {}, rest);
     for (const io::WktRest::Geometry& other : rest.others)
-      drawing.skip(other.area ? lost(other.place, other.type, "has curves, and is not read")
-                              : Skipped{other.place, other.type, "is no polygon", "", "", true});
+      skip_geometry(drawing, other.place, other.type, other.area ? "has curves, and is not read" : "is no polygon",
+                    other.area);
     if (rest.heights) drawing.notes.push_back(heights_left_out);
     if (!parts.empty()) add(stem_of(file), std::move(parts));
     drawing.fineness = fineness_of(settings, drawing.millimetre, drawing.diagonal());
@@ -62,10 +75,8 @@ Drawing read_map(std::string text, const std::string& file, const ImportSettings
   }
   bool heights = false;
   for (io::GeoFeature& feature : io::parse_geojson_features(std::move(text), file, {})) {
-    for (const std::string& skipped : feature.skipped) {
-      const std::size_t end = skipped.rfind(": ");
-      drawing.skip({skipped.substr(0, end), "geometry", skipped.substr(end + 2), "", "", true});
-    }
+    for (const io::GeoFeature::Other& other : feature.skipped)
+      skip_geometry(drawing, other.place, "geometry", other.reason, other.area);
     heights = heights || feature.heights;
     if (!feature.parts.empty()) add(feature.name.empty() ? stem_of(file) : feature.name, std::move(feature.parts));
   }

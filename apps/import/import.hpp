@@ -32,7 +32,7 @@ struct RingReport {
   double gap_length = 0, line_length = 0;
 };
 
-/// A loop or a crossing that was cut off, or a sliver that was filled.
+/// A loop, a crossing or a spike that was cut off, or a sliver that was filled.
 struct RepairReport {
   std::string what, place, layer;
   Point at;

@@ -89,7 +89,9 @@ void BodyMaker::require_nothing_lost(const Drawing& drawing) {
                (end ? fmt::format("; the line at {} ends open there, at {}, and both may be one outline", end->place,
                                   point_text(end->at))
                     : consequence_of(skipped, shape, layer ? drawing.layers[*layer].name : "")),
-           (skipped.remedy.empty() ? "draw it anew as lines, arcs, polylines or paths" : skipped.remedy) +
+           (!skipped.remedy.empty()   ? skipped.remedy
+            : !skipped.advice.empty() ? skipped.advice
+                                      : "draw it anew as lines, arcs, polylines or paths") +
                ", or leave it as it is with --open skip");
       break;
     }

@@ -204,6 +204,46 @@ void thin_doubled_lines(const LineGraph& graph, std::vector<bool>& alive, double
   }
 }
 
+void cut_spikes(const LineGraph& graph, std::vector<bool>& alive, std::vector<Repair>& repairs) {
+  const Incidence all(graph, alive);
+  const std::size_t nodes = graph.nodes.size();
+  std::vector<int> degree(nodes), ends;
+  for (int node = 0; node < static_cast<int>(nodes); ++node) {
+    degree[static_cast<std::size_t>(node)] = all.degree(node);
+    if (all.degree(node) == 1) ends.push_back(node);
+  }
+  std::vector<bool> hanging(alive.size(), false);
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    for (const int* h = all.begin(ends[i]); h != all.end(ends[i]); ++h) {
+      const auto e = static_cast<std::size_t>(*h / 2);
+      if (!alive[e]) continue;
+      alive[e] = false;
+      hanging[e] = true;
+      if (--degree[static_cast<std::size_t>(graph.target(*h))] == 1) ends.push_back(graph.target(*h));
+    }
+  }
+  const Incidence spikes(graph, hanging);
+  std::vector<bool> seen(nodes, false);
+  for (int first = 0; first < static_cast<int>(nodes); ++first) {
+    if (seen[static_cast<std::size_t>(first)] || spikes.degree(first) == 0) continue;
+    std::vector<int> tree{first};
+    seen[static_cast<std::size_t>(first)] = true;
+    AxisBox box(graph.point(first), graph.point(first));
+    int root = first;
+    for (std::size_t i = 0; i < tree.size(); ++i) {
+      box.include(AxisBox(graph.point(tree[i]), graph.point(tree[i])));
+      if (spikes.degree(tree[i]) < all.degree(tree[i])) root = tree[i];
+      for (const int* h = spikes.begin(tree[i]); h != spikes.end(tree[i]); ++h) {
+        const int there = graph.target(*h);
+        if (seen[static_cast<std::size_t>(there)]) continue;
+        seen[static_cast<std::size_t>(there)] = true;
+        tree.push_back(there);
+      }
+    }
+    repairs.push_back({Repair::Kind::spike, graph.point(root), box.longest(), graph.edge(*spikes.begin(first)).source});
+  }
+}
+
 bool cut_loops(const LineGraph& graph, std::vector<bool>& alive, double size, std::vector<Repair>& repairs) {
   if (!(size > 0)) return false;
   const std::vector<BlockFacts> blocks = facts_of_blocks(graph, blocks_of(graph, alive));

@@ -10,7 +10,7 @@ namespace taut::drawing {
 
 /// Something small that was cut off or filled.
 struct Repair {
-  enum class Kind { loop, sliver, crossing };
+  enum class Kind { loop, sliver, crossing, spike };
   Kind kind = Kind::loop;
   Point at;
   double size = 0;         ///< of a sliver its width, else the extent
@@ -20,6 +20,9 @@ struct Repair {
 /// Edges of blocks that are no larger than `size`, and hang on a larger one by a node or by other such blocks, are no
 /// longer alive. False if there are none.
 bool cut_loops(const LineGraph& graph, std::vector<bool>& alive, double size, std::vector<Repair>& repairs);
+
+/// Edges that hang on others by one end, so that a ring goes to and fro along them, are no longer alive.
+void cut_spikes(const LineGraph& graph, std::vector<bool>& alive, std::vector<Repair>& repairs);
 
 /// A line that is drawn twice, with copies that cross or meet at their ends only, is a cycle narrower than half of
 /// `join` and larger than `size`, in a block of its own. One of the copies is no longer alive, so that the other one

@@ -73,6 +73,7 @@ class OutlineMaker {
   Outlines of_repair() {
     graph_ = split_at_crossings(strands_, settings_.most_cuts, settings_.file);
     alive_.assign(graph_.edges.size(), true);
+    cut_spikes(graph_, alive_, out_.repairs);
     prune(false);
     if (cut_loops(graph_, alive_, settings_.repair, out_.repairs)) prune(false);
     if (!any_alive()) return std::move(out_);

@@ -54,7 +54,7 @@ Outlines outlines_of_fill(const std::vector<Chain>& chains, Fill fill, const Out
 
 /// Rings that should neither cross themselves nor each other, outlines counterclockwise and holes clockwise: what they
 /// go around once, counterclockwise. Faces that this leaves out or adds, against the even-odd rule, are in `repairs` as
-/// crossings, whatever their size.
+/// crossings, and where a ring goes to and fro as spikes, whatever their size.
 Outlines outlines_of_repair(const std::vector<Chain>& rings, const OutlineSettings& settings);
 
 /// Ends of lines that meet nothing after joining.

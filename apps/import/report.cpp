@@ -102,9 +102,9 @@ std::string file_text(const FileReport& file) {
   if (file.repeated > 0)
     s += fmt::format("  {} drawn more than once, and counted once\n", counted(file.repeated, "segment", "segments"));
   s += named_lines("cut off", file.repairs, [&file](const RepairReport& repair) {
-    return fmt::format("a {} {:.3g} wide at {}, {}{} (--{} {:.3g})", repair.what, rounded_up(repair.size),
-                       spot(repair.at), repair.place, layer_text(repair.layer),
-                       repair.what == "sliver" ? "join" : "repair",
+    return fmt::format("a {} {:.3g} {} at {}, {}{} (--{} {:.3g})", repair.what, rounded_up(repair.size),
+                       repair.what == "spike" ? "long" : "wide", spot(repair.at), repair.place,
+                       layer_text(repair.layer), repair.what == "sliver" ? "join" : "repair",
                        repair.what == "sliver" ? file.fineness.join : file.fineness.repair);
   });
   s += named_lines("crossing", file.crossings, [&file](const CrossingReport& crossing) {

@@ -44,7 +44,7 @@ class OpenLine:
 
 @dataclass(frozen=True)
 class Repair:
-    """A "loop" or "crossing" of this size that was cut off, or a "sliver" of this width that was filled."""
+    """A "loop", "crossing" or "spike" of this size that was cut off, or a "sliver" of this width that was filled."""
 
     what: RepairKind
     at: _Point

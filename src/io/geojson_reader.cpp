@@ -54,13 +54,14 @@ void require_distinct_keys(const JsonDocument& document) {
   }
 }
 
-/// The types of GeoJSON that are not polygons; other words are not quoted.
-std::string found_type(const std::string& name) {
-  for (const char* known : {"Point", "MultiPoint", "LineString", "MultiLineString"}) {
-    if (name == known) return "\"" + name + "\"";
-  }
-  return "another type";
+/// Is it a type of GeoJSON that is no polygon? Other words are not quoted: the file may be any.
+bool is_point_or_line(const std::string& name) {
+  for (const char* known : {"Point", "MultiPoint", "LineString", "MultiLineString"})
+    if (name == known) return true;
+  return false;
 }
+
+std::string found_type(const std::string& name) { return is_point_or_line(name) ? "\"" + name + "\"" : "another type"; }
 
 /// Goes through collections, features and geometries, which nest no deeper than JSON may.
 class GeoJsonReader {
@@ -86,6 +87,9 @@ class GeoJsonReader {
     const std::size_t type = get_member(document_, here, path, "type", JsonKind::string);
     const std::string& name = document_.string_at(type);
     const std::string prefix = path.empty() ? "" : path + ".";
+    if (name == "Topology")
+      throw document_.error(type, prefix + "type", "the file is TopoJSON, whose shapes share arcs, and no GeoJSON",
+                            "convert it to GeoJSON: ogr2ogr map.geojson FILE");
     if (name == "FeatureCollection") {
       const std::size_t list = get_member(document_, here, path, "features", JsonKind::array);
       note_if_empty(list, prefix + "features", "there are no features");
@@ -105,7 +109,7 @@ class GeoJsonReader {
     if (geometry != 0 && document_.at(geometry).kind() == JsonKind::null) {
       const InputError error = document_.error(geometry, inner, "a feature without a geometry", write_polygon());
       if (!empty_) empty_ = error;
-      return features_.back().skipped.push_back(error.place() + ": " + error.problem());
+      return features_.back().skipped.push_back({error.place(), error.problem()});
     }
     read_geometry(get_member(document_, here, path, "geometry", JsonKind::object), inner);
   }
@@ -130,7 +134,10 @@ class GeoJsonReader {
       const InputError error = document_.error(
           type, prefix + "type", "expected a Polygon or MultiPolygon, found " + found_type(name), write_polygon());
       if (!lenient_) throw error;
-      features_.back().skipped.push_back(error.place() + ": " + found_type(name) + " is no polygon");
+      if (is_point_or_line(name))
+        features_.back().skipped.push_back({error.place(), "\"" + name + "\" is no polygon"});
+      else
+        features_.back().skipped.push_back({error.place(), "is of none of the types of GeoJSON", true});
     }
   }
 

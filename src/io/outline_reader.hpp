@@ -34,8 +34,12 @@ Polygon only_outline(std::vector<Part> parts, const std::string& name);
 struct GeoFeature {
   std::string name;  ///< its id, or the name in its properties; may be empty
   std::vector<Part> parts;
-  std::vector<std::string> skipped;  ///< what is no polygon: where it is, and what
-  bool heights = false;              ///< do vertices have z?
+  struct Other {
+    std::string place, reason;
+    bool area = false;  ///< may it enclose an area?
+  };
+  std::vector<Other> skipped;  ///< what is no polygon
+  bool heights = false;        ///< do vertices have z?
 };
 
 /// Every feature by itself. What is no polygon is listed instead of refused.

@@ -71,6 +71,31 @@ TEST(ImportKinds, GeometriesThatAreNoPolygonsAreListed) {
   EXPECT_THROW(examine("POINT (1 2", "d.wkt"), InputError);
 }
 
+TEST(ImportKinds, OtherGeometriesSayHowToConvertThem) {
+  const char* const curve = "CURVEPOLYGON (CIRCULARSTRING (0 0, 4 0, 0 0))";
+  for (const std::string& text : {curve + std::string(""), "POLYGON ((9 0, 10 0, 10 1)); " + std::string(curve)}) {
+    const auto import = examine(text, "d.wkt");
+    ASSERT_EQ(import.faults.size(), 1u);
+    EXPECT_NE(import.faults[0].hint().find("ST_CurveToLine"), std::string::npos) << import.faults[0].hint();
+  }
+  const auto unknown = examine(R"({"type":"Feature","geometry":{"type":"CurvePolygon","coordinates":[1]}})", "d.json");
+  ASSERT_EQ(unknown.faults.size(), 1u);
+  EXPECT_NE(unknown.faults[0].hint().find("CONVERT_TO_LINEAR"), std::string::npos);
+  const auto lines = examine("LINESTRING (0 0, 1 1)", "d.wkt");
+  ASSERT_EQ(lines.faults.size(), 1u);
+  EXPECT_NE(lines.faults[0].hint().find("ST_MakePolygon"), std::string::npos);
+  const char* const topology = R"({"type":"Topology","objects":{},"arcs":[]})";
+  for (const char* file : {"d.json", "d.geojson"}) {
+    try {
+      examine(topology, file);
+      FAIL() << file;
+    } catch (const InputError& error) {
+      EXPECT_NE(error.hint().find("ogr2ogr"), std::string::npos);
+    }
+  }
+  EXPECT_NE(hint_for("d.topojson").find("ogr2ogr"), std::string::npos);
+}
+
 TEST(ImportKinds, HeightsAreLeftOutWithANote) {
   const auto notes = [](const drawing::Import& import) { return import.files[0].notes.size(); };
   const std::string ring = R"({"type":"Polygon","coordinates":[[[0,0,0],[1,0,HEIGHT],[1,1,0]]]})";

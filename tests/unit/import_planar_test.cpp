@@ -342,5 +342,31 @@ TEST(ImportPlanar, MendsPolygonsOnlyIfAsked) {
   expect_totals(examine(bow, "p.wkt", settings), 25, 1, 0);
 }
 
+TEST(ImportPlanar, ListsSpikesOfPolygons) {
+  const auto polygon = [](const std::string& more) { return "POLYGON ((0 0, 10 0" + more + ", 10 10, 0 10, 0 0))"; };
+  ImportSettings settings;
+  settings.repair = 6;
+  for (const char* spike : {", 10 5, 15 5, 10 5", ", 10 5, 5 5, 10 5", ", 10 5, 13 5, 13 8, 13 4, 13 5, 10 5"}) {
+    const Import import = examine(polygon(spike), "p.wkt", settings);
+    expect_totals(import, 100, 1, 0);
+    ASSERT_EQ(import.files[0].repairs.size(), 1u) << spike;
+    EXPECT_EQ(import.files[0].repairs[0].what, "spike");
+    EXPECT_EQ(import.files[0].repairs[0].at, (Point{10, 5}));
+    EXPECT_NEAR(import.files[0].repairs[0].size, 4.5, 0.5);
+  }
+  // A hole that is no more than a line.
+  const Import slit = examine("POLYGON ((0 0, 10 0, 10 10, 0 10, 0 0), (3 3, 5 3, 4 3, 3 3))", "p.wkt", settings);
+  expect_totals(slit, 100, 1, 0);
+  EXPECT_EQ(slit.files[0].repairs.size(), 1u);
+  // A cut to a hole changes nothing.
+  const Import cut = examine(polygon(", 10 5, 7 5, 7 3, 4 3, 4 7, 7 7, 7 5, 10 5"), "p.wkt", settings);
+  expect_totals(cut, 100 - 12, 1, 1);
+  EXPECT_TRUE(cut.files[0].repairs.empty());
+  settings.repair = 1;
+  const Import long_spike = examine(polygon(", 10 5, 15 5, 10 5"), "p.wkt", settings);
+  ASSERT_EQ(long_spike.faults.size(), 1u);
+  EXPECT_NE(long_spike.faults[0].problem().find("to and fro along a line near (10, 5)"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace taut

@@ -76,10 +76,12 @@ TEST(GeoJson, TellsFeaturesApartAndWhatIsNoPolygon) {
   EXPECT_EQ(features[0].name, "7");
   EXPECT_EQ(features[1].name, "bay");
   EXPECT_EQ(features[0].parts.size() + features[1].parts.size(), 2u);
-  EXPECT_EQ(features[2].skipped,
-            (std::vector<std::string>{"f:1:291: features[2].geometry: a feature without a geometry"}));
-  EXPECT_EQ(features[3].skipped,
-            (std::vector<std::string>{"f:2:99: features[3].geometry.geometries[0].type: \"Point\" is no polygon"}));
+  ASSERT_EQ(features[2].skipped.size() + features[3].skipped.size(), 2u);
+  EXPECT_EQ(features[2].skipped[0].place, "f:1:291: features[2].geometry");
+  EXPECT_EQ(features[2].skipped[0].reason, "a feature without a geometry");
+  EXPECT_EQ(features[3].skipped[0].place, "f:2:99: features[3].geometry.geometries[0].type");
+  EXPECT_EQ(features[3].skipped[0].reason, "\"Point\" is no polygon");
+  EXPECT_FALSE(features[3].skipped[0].area);
   EXPECT_THROW(parse_geojson_parts(text), InputError);
 }
 
