@@ -78,6 +78,7 @@ void BodyMaker::add(Drawing drawing) {
   note_shapes_in_others();
   for (std::size_t k = 0; k < parts_.size(); ++k) cut_out(drawing.layers[k], parts_[k]);
   require_nothing_lost(drawing);
+  require_nothing_hidden();
   for (std::size_t k = 0; k < parts_.size(); ++k) make_bodies(drawing.layers[k].name, std::move(parts_[k]));
   if (import_.scene.bodies.size() == before && import_.faults.size() == faults) {
     std::string reasons;

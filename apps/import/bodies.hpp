@@ -49,6 +49,7 @@ class BodyMaker {
   bool encloses(const Piece& outer, const Piece& inner) const;
   void fail_nesting(const Drawing& drawing, const Piece& inner, const Piece& outer);
   void require_nothing_lost(const Drawing& drawing);
+  void require_nothing_hidden();
   void read_sheet(const Layer& layer, Sheet& sheet, std::vector<Named>& parts);
   void read_parts(const Layer& layer, Sheet& sheet, std::vector<Named>& parts);
   void take_report(const Outlines& outlines, const std::vector<Chain>& chains, const std::vector<std::string>& layers);

@@ -42,6 +42,22 @@ std::vector<AxisBox> edge_boxes(const LineGraph& graph, const FaceMap& faces) {
   return boxes;
 }
 
+/// Is p on the left of all sides of the hull, or, if `least` is 0, on them?
+bool lies_left(const Polygon& hull, const Point& p, int least) {
+  for (std::size_t i = 0; i < hull.size(); ++i)
+    if (orientation(hull[i], hull[(i + 1) % hull.size()], p) < least) return false;
+  return true;
+}
+
+/// Does the segment cross a side of the hull?
+bool crosses(const Polygon& hull, const Point& p, const Point& q) {
+  for (std::size_t i = 0; i < hull.size(); ++i) {
+    const Point &a = hull[i], &b = hull[(i + 1) % hull.size()];
+    if (orientation(a, b, p) * orientation(a, b, q) < 0 && orientation(p, q, a) * orientation(p, q, b) < 0) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 ClosedPieces::ClosedPieces(const LineGraph& graph, const std::vector<bool>& closed)
@@ -69,23 +85,34 @@ ClosedPieces::ClosedPieces(const LineGraph& graph, const std::vector<bool>& clos
   boxes_ = SegmentStrips(std::move(boxes));
 }
 
-std::optional<std::size_t> ClosedPieces::within_hull(const std::vector<Point>& points) const {
+std::optional<ClosedPieces::Held> ClosedPieces::in_hull(const std::vector<Point>& points, bool partly) const {
   Polygon hull;
   for (const int k : convex_hull(points)) hull.push_back(points[static_cast<std::size_t>(k)]);
   if (hull.size() < 3) return std::nullopt;
   AxisBox around(hull[0], hull[0]);
   for (const Point& p : hull) around.include(AxisBox(p, p));
-  const auto in_hull = [&](int node) {
+  const auto in = [&](int node, int least) {
     const Point& p = graph_.point(node);
-    if (!around.holds(AxisBox(p, p))) return false;
-    for (std::size_t i = 0; i < hull.size(); ++i)
-      if (orientation(hull[i], hull[(i + 1) % hull.size()], p) < 0) return false;
-    return true;
+    return around.holds(AxisBox(p, p)) && lies_left(hull, p, least);
   };
-  std::optional<std::size_t> found;
+  const auto part_of = [&](const std::vector<int>& nodes) {
+    for (const int node : nodes)
+      if (std::find(points.begin(), points.end(), graph_.point(node)) != points.end()) return false;
+    for (std::size_t i = 0; i < nodes.size(); i += 2)
+      if (in(nodes[i], 1) || in(nodes[i + 1], 1) || crosses(hull, graph_.point(nodes[i]), graph_.point(nodes[i + 1])))
+        return true;
+    return false;
+  };
+  std::optional<Held> found;
   boxes_.each_near(around, [&](std::size_t k) {
-    if (found && *found <= pieces_[k].source) return;
-    if (std::all_of(pieces_[k].nodes.begin(), pieces_[k].nodes.end(), in_hull)) found = pieces_[k].source;
+    const Piece& piece = pieces_[k];
+    const auto better = [&](bool whole) {
+      return !found || (whole && !found->whole) || (whole == found->whole && piece.source < found->source);
+    };
+    if (better(true) && std::all_of(piece.nodes.begin(), piece.nodes.end(), [&](int node) { return in(node, 0); }))
+      found = {piece.source, true};
+    else if (partly && better(false) && part_of(piece.nodes))
+      found = {piece.source, false};
   });
   return found;
 }

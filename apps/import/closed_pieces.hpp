@@ -18,15 +18,21 @@ class ClosedPieces {
   /// `closed` are the edges on cycles.
   ClosedPieces(const LineGraph& graph, const std::vector<bool>& closed);
 
-  /// The source of a piece that lies in the convex hull of these points; nothing if there is none.
-  std::optional<std::size_t> within_hull(const std::vector<Point>& points) const;
+  /// A piece and the convex hull of some points.
+  struct Held {
+    std::size_t source = 0;
+    bool whole = false;  ///< does all of it lie in the hull?
+  };
+  /// A piece that lies in the convex hull of these points; or else, if `partly`, one that has a part inside of it, and
+  /// none of these points; nothing if there is none.
+  std::optional<Held> in_hull(const std::vector<Point>& points, bool partly) const;
 
   /// Does something closed go around the line? It must cross nothing that is closed.
   bool surround(const std::vector<Point>& line);
 
  private:
   struct Piece {
-    std::vector<int> nodes;
+    std::vector<int> nodes;  ///< two for each edge
     std::size_t source = 0;
   };
   const LineGraph& graph_;

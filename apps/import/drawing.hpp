@@ -89,6 +89,7 @@ struct LostShape {
   std::string place;
   std::vector<Point> points;  ///< it lies in their box; if there are none, it may lie anywhere
   bool filling = false;       ///< it fills what its points go around: that is no hole
+  bool hidden = false;        ///< an open line that is not to be seen: its points are its ends
 };
 
 /// What did not become part of a body, and why; the first one of its kind and layer.

@@ -138,51 +138,84 @@ class DxfReader {
     if (item.integer(67) != 0) return skip(item, own.layer, "is in paper space, not in the model", false);
     // A layer that is off hides of a block what lies on it. One that is frozen hides the block.
     const bool block = type == "INSERT";
-    if (structure_.is_frozen(own.layer) || (structure_.is_off(own.layer) && !block))
-      return skip(item, own.layer, "is on a layer that is off or frozen", false);
-    if (!block && !wanted(own.layer)) return;
-    if (item.integer(60) != 0) return skip(item, own.layer, "is not visible", false);
-    const auto plane = own_plane(item);
-    if (!plane) {
+    const bool off = structure_.is_frozen(own.layer) || (structure_.is_off(own.layer) && !block);
+    if (!off && !block && !wanted(own.layer)) return;
+    const auto placed = placement_of(item, where);
+    if (off || item.integer(60) != 0)
+      return hide(item, vertices, placed, own.layer, off ? "is on a layer that is off or frozen" : "is not visible");
+    if (!placed) {
       const std::string reason = "does not lie in the plane of the drawing";
       // What stands on the plane is seen as a line.
       return item.number(230, 1) == 0 ? skip(item, own.layer, reason, true) : lose(item, own.layer, reason, {});
     }
+    if (block) {
+      for (const DxfItem* attribute : vertices) lose(*attribute, own.layer, "is text", {});
+      return insert(item, *placed, own, depth);
+    }
+    if (type == "HATCH" || type == "MPOLYGON" || type == "SOLID" || type == "TRACE")
+      return read_filling(item, *placed, own);
+    read_line(item, vertices, *placed, own);
+  }
+
+  /// Nothing if the entity does not lie in the plane of the drawing.
+  static std::optional<Affine> placement_of(const DxfItem& item, const Affine& where) {
+    const auto plane = own_plane(item);
+    if (!plane) return std::nullopt;
     // Only these are in coordinates of their own; what else there is, is in those of the world.
     static const std::set<std::string> in_own_plane{"LWPOLYLINE", "POLYLINE", "ARC",   "CIRCLE", "INSERT",
                                                     "HATCH",      "MPOLYGON", "SOLID", "TRACE"};
-    const Affine placed = in_own_plane.count(type) ? where * *plane : where;
-    if (type == "INSERT") {
-      for (const DxfItem* attribute : vertices) lose(*attribute, own.layer, "is text", {});
-      return insert(item, placed, own, depth);
-    }
-    if (type == "HATCH" || type == "MPOLYGON") {
-      Filling filling{&item, own.layer, group_of(item, own), hatch_boundaries(item, placed, flattener_),
-                      fill_of_hatch(item)};
-      if (filling.chains.empty()) return lose(item, own.layer, "has no boundary", {});
-      return fillings_.push_back(std::move(filling));
-    }
-    if (type == "SOLID" || type == "TRACE")
+    return in_own_plane.count(item.type()) ? where * *plane : where;
+  }
+
+  void read_filling(const DxfItem& item, const Affine& placed, const Inherited& own) {
+    if (item.type() == "SOLID" || item.type() == "TRACE")
       return fillings_.push_back(
           {&item, own.layer, group_of(item, own), {solid_boundary(item, placed)}, Fill::even_odd});
-    std::optional<Chain> chain;
+    Filling filling{&item, own.layer, group_of(item, own), hatch_boundaries(item, placed, flattener_),
+                    fill_of_hatch(item)};
+    if (filling.chains.empty()) return lose(item, own.layer, "has no boundary", {});
+    fillings_.push_back(std::move(filling));
+  }
+
+  void read_line(const DxfItem& item, const std::vector<const DxfItem*>& vertices, const Affine& placed,
+                 const Inherited& own) {
     heights_.include(item);
     for (const DxfItem* vertex : vertices) heights_.include(*vertex);
-    if (type == "POLYLINE") {
-      if ((item.integer(70) & (16 | 64)) != 0) return lose(item, own.layer, "is a mesh", corners_of(vertices, placed));
-      chain = polyline(item, vertices, placed);
-    } else {
-      chain = chain_of(item, placed, flattener_);
-      tell_chorded(item, own.layer);
-    }
-    if (!chain) return lose(item, own.layer, reason_for(type), corners_of(item, placed));
-    if (type == "SPLINE" && !item.has(10)) fitted_.add(item);
+    if (is_mesh(item)) return lose(item, own.layer, "is a mesh", corners_of(vertices, placed));
+    std::optional<Chain> chain = line_of(item, vertices, placed, flattener_);
+    tell_chorded(item, own.layer);
+    if (!chain) return lose(item, own.layer, reason_for(item.type()), corners_of(item, placed));
+    if (item.type() == "SPLINE" && !item.has(10)) fitted_.add(item);
     if (ends_at_its_start(item)) whole_turns_.add(item);
     if (chain->points.empty() || box_of(chain->points).longest() == 0)
       return skip(item, own.layer, "has no extent", false);
     Layer& target = drawing_.layer(group_of(item, own));
     if (target.sheets.empty()) target.sheets.push_back({"", Fill::even_odd, {}, true});
     target.sheets[0].chains.push_back(std::move(*chain));
+  }
+
+  static bool is_mesh(const DxfItem& item) { return item.type() == "POLYLINE" && (item.integer(70) & (16 | 64)) != 0; }
+
+  static std::optional<Chain> line_of(const DxfItem& item, const std::vector<const DxfItem*>& vertices,
+                                      const Affine& placed, Flattener& flattener) {
+    return item.type() == "POLYLINE" ? polyline(item, vertices, placed, flattener) : chain_of(item, placed, flattener);
+  }
+
+  /// What is not to be seen; lines may go on where it ends.
+  void hide(const DxfItem& item, const std::vector<const DxfItem*>& vertices, const std::optional<Affine>& placed,
+            const std::string& layer, const std::string& reason) {
+    std::vector<LostShape> shapes;
+    try {
+      ImportSettings plain = settings_;
+      plain.curves = false;
+      Flattener flattener(plain, coarsest, drawing_.file);
+      const auto chain = placed && !is_mesh(item) ? line_of(item, vertices, *placed, flattener) : std::nullopt;
+      if (chain && !chain->closed && chain->points.size() > 1)
+        shapes.push_back({item.place(), {chain->points.front(), chain->points.back()}, false, true});
+    } catch (const InputError&) {
+      // It is not read in any case.
+    }
+    drawing_.skip(skipped(item, layer, reason, false, std::move(shapes)));
   }
 
   bool wanted(const std::string& layer) {
@@ -236,14 +269,15 @@ class DxfReader {
     drawing_.count_chorded({item.place(), what + " " + io::excerpt(item.type(), 30), layer, 1, chorded});
   }
 
-  Chain polyline(const DxfItem& item, const std::vector<const DxfItem*>& vertices, const Affine& where) {
+  static Chain polyline(const DxfItem& item, const std::vector<const DxfItem*>& vertices, const Affine& where,
+                        Flattener& flattener) {
     std::vector<BulgedVertex> bulged;
     for (const DxfItem* vertex : vertices) {
       // The frame of a spline that was fitted is not drawn.
       if ((vertex->integer(70) & 16) != 0) continue;
       bulged.push_back({vertex->point(10), vertex->number(42)});
     }
-    return bulged_chain(bulged, (item.integer(70) & 1) != 0, item.place(), where, flattener_);
+    return bulged_chain(bulged, (item.integer(70) & 1) != 0, item.place(), where, flattener);
   }
 
   void insert(const DxfItem& item, const Affine& where, Inherited own, int depth) {

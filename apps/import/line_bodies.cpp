@@ -266,16 +266,25 @@ void BodyMaker::fail_open(const Outlines& outlines, const Closure& closure, cons
                                        [&](const auto& a, const auto& b) { return width_of(a) < width_of(b); });
   const double width = width_of(*widest), join = width * 1.01;
   const bool closing = settings_.open == OpenRings::close;
-  std::string hint = closing ? "draw the line that is missing" : "close it by straight lines with --open close";
-  if (!closing && join < joinable_distance(outlines, chains)) hint += fmt::format(", or with --join {:.3g}", join);
+  // Of two sides, say, nobody knows what the others were.
+  constexpr double of_two_sides = 0.7;
+  const bool wide = closure.gap_length > of_two_sides * closure.line_length;
+  std::string hint = closing ? "draw the line that is missing, or leave it out with --open skip"
+                     : wide  ? "if it is an axis or a mark, leave it out with --open skip; else draw what is missing"
+                             : "close it by straight lines with --open close";
+  if (!closing && !wide && join < joinable_distance(outlines, chains))
+    hint += fmt::format(", or with --join {:.3g}", join);
+  if (!closing && !wide) hint += ", or leave it out with --open skip";
   fail(chains[outlines.open[closure.lines.front()].source].place,
        fmt::format("an outline stays open, with a gap of {:.4g} from {} to {}{}{}", width, point_text(widest->first),
                    point_text(widest->second),
                    closure.gaps.size() > 1
                        ? fmt::format(", and {} more", counted_text(closure.gaps.size() - 1, "gap", "gaps"))
                        : "",
-                   closure.encloses ? "; what is closed at " + chains[*closure.encloses].place + " lies in it" : ""),
-       hint + ", or leave it out with --open skip");
+                   closure.encloses ? "; what is closed at " + chains[*closure.encloses].place +
+                                          (closure.partly ? " lies partly in it" : " lies in it")
+                                    : ""),
+       hint);
 }
 
 /// Ends that are joined so far apart spare what is drawn: half of the least line, and of the least width of what is

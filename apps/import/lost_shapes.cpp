@@ -81,6 +81,7 @@ void BodyMaker::require_nothing_lost(const Drawing& drawing) {
   const SegmentStrips edges(std::move(boxes));
   for (const Skipped& skipped : file_.skipped) {
     for (const LostShape& shape : skipped.shapes) {
+      if (shape.hidden) continue;
       const auto layer = layer_at(shape, edges);
       const auto end = layer || !skipped.remedy.empty() ? std::nullopt : open_end_at(shape);
       if (!layer && !end && skipped.remedy.empty()) continue;
@@ -95,6 +96,48 @@ void BodyMaker::require_nothing_lost(const Drawing& drawing) {
                ", or leave it as it is with --open skip");
       break;
     }
+  }
+}
+
+/// An open line from one end of hidden lines to another one is a part of an outline, the rest of which is hidden. In
+/// material it changes nothing.
+void BodyMaker::require_nothing_hidden() {
+  if (settings_.open == OpenRings::skip || file_.open.empty()) return;
+  std::vector<std::pair<Point, const Skipped*>> ends;
+  std::vector<AxisBox> boxes;
+  for (const Skipped& skipped : file_.skipped)
+    for (const LostShape& shape : skipped.shapes)
+      for (std::size_t k = 0; shape.hidden && k < shape.points.size(); ++k) {
+        ends.emplace_back(shape.points[k], &skipped);
+        boxes.emplace_back(shape.points[k], shape.points[k]);
+      }
+  const SegmentStrips strips(std::move(boxes));
+  const auto hidden_at = [&](const Point& p) {
+    const Skipped* found = nullptr;
+    strips.each_near(AxisBox(p, p, file_.fineness.join), [&](std::size_t k) {
+      if (!found || ends[k].second->place < found->place) found = ends[k].second;
+    });
+    return found;
+  };
+  const auto in_material = [&](const std::vector<Point>& line) {
+    const Point &a = line[line.size() / 2 - 1], &b = line[line.size() / 2];
+    const Point middle{a.x + (b.x - a.x) / 2, a.y + (b.y - a.y) / 2};
+    for (const std::vector<Named>& parts : parts_)
+      for (const Named& named : parts)
+        if (roughly_inside(named.part, middle)) return true;
+    return false;
+  };
+  for (const OpenReport& open : file_.open) {
+    const Skipped* rest = hidden_at(open.points.front());
+    if (!rest || !hidden_at(open.points.back()) || in_material(open.points)) continue;
+    // This says more than that it is open.
+    std::erase_if(import_.faults, [&open](const InputError& fault) { return fault.place() == open.place; });
+    fail(open.place,
+         fmt::format("an outline stays open between {} and {}, where lines go on that are not visible: {} at {} {}",
+                     point_text(open.points.front()), point_text(open.points.back()), rest->what, rest->place,
+                     rest->reason),
+         "make these lines visible, or leave the outline out with --open skip");
+    return;
   }
 }
 

@@ -31,6 +31,7 @@ struct Closure {
   /// Of any gap: how many times farther away than its two ends are from each other the next free end is, at least.
   double clearness = 0;
   std::optional<std::size_t> encloses = {};  ///< a chain of something closed that lies within, if that is why it counts
+  bool partly = false;                       ///< a part of that lies within
 };
 
 /// The lines that those edges make which are in `removed`; `all` of the graph's edges say where lines meet others.

@@ -166,18 +166,20 @@ class OutlineMaker {
     }
   }
 
-  /// Lines outside of all that is closed, in whose hull something closed lies: however wide their gap is, they may be
-  /// its outline. Several of them may if each bends, and they are longer than the gaps.
+  /// Lines outside of all that is closed, in whose hull something closed lies, or a part of it: however wide their gap
+  /// is, they may be its outline. Several that do not meet may if each bends, they are longer than the gaps, and all of
+  /// it lies in the hull.
   void find_open_outlines(std::vector<Closure>& closures) const {
     if (!any_alive() || out_.open.empty()) return;
     ClosedPieces closed(graph_, alive_);
     std::vector<bool> used(out_.open.size(), false);
-    const auto look = [&](Closure& closure) {
-      const auto piece = closed.within_hull(closure.ring);
+    const auto look = [&](Closure& closure, bool partly) {
+      const auto piece = closed.in_hull(closure.ring, partly);
       if (!piece || std::any_of(closure.lines.begin(), closure.lines.end(),
                                 [&](std::size_t k) { return closed.surround(out_.open[k].points); }))
         return;
-      closure.encloses = piece;
+      closure.encloses = piece->source;
+      closure.partly = !piece->whole;
       for (const std::size_t k : closure.lines) used[k] = true;
     };
     const auto look_further = [&](std::vector<Closure> more, bool several) {
@@ -188,12 +190,13 @@ class OutlineMaker {
                         std::any_of(closure.lines.begin(), closure.lines.end(),
                                     [this](std::size_t k) { return out_.open[k].is_straight(); })))
           continue;
-        look(closure);
+        look(closure, !several);
         if (closure.encloses) closures.push_back(std::move(closure));
       }
     };
     for (Closure& closure : closures)
-      if (closure.lines.size() == 1 || closure.gap_length <= closure.line_length) look(closure);
+      if (closure.lines.size() == 1 || closure.gap_length <= closure.line_length)
+        look(closure, closure.lines.size() == 1);
     look_further(closures_of_groups(out_.open), false);
     look_further(find_closures(out_.open, true), true);
     std::erase_if(closures, [&used](const Closure& closure) {

@@ -215,7 +215,7 @@ class SvgReader {
 
   void read_shape(const XmlElement& element, const Surroundings& s) {
     const std::string what = "<" + element.name + ">";
-    if (s.hidden || !s.displayed) return drawing_.skip(element.place, what, "is not visible");
+    if (s.hidden || !s.displayed) return hide(element, s);
     const bool filled = s.paints_filling() && element.name != "line";
     if (!filled && !s.paints_line()) {
       ++unpainted_;
@@ -234,6 +234,23 @@ class SvgReader {
     if (!chains.empty()) add_lines(element, s, std::move(chains));
     if (!filled_chains.empty())
       layer_of(s).sheets.push_back({svg_name_of(element, false), s.fill, std::move(filled_chains)});
+  }
+
+  /// What is not to be seen; lines may go on where it ends.
+  void hide(const XmlElement& element, const Surroundings& s) {
+    Skipped skipped{element.place, "<" + element.name + ">", "is not visible"};
+    try {
+      ImportSettings plain = settings_;
+      plain.curves = false;
+      Flattener flattener(plain, coarsest, drawing_.file);
+      if (!has_unknown_size(element, s.viewport))
+        for (const Chain& chain : svg_shape(element, s.viewport, s.where, flattener))
+          if (!chain.closed && chain.points.size() > 1)
+            skipped.shapes.push_back({element.place, {chain.points.front(), chain.points.back()}, false, true});
+    } catch (const InputError&) {
+      // It is not read in any case.
+    }
+    drawing_.skip(std::move(skipped));
   }
 
   /// Those that enclose something, closed as what is filled is. The others stay: a filling does not show them.

@@ -186,5 +186,67 @@ TEST(ImportOpen, JoiningIsARemedyWhereItSparesTheRest) {
   EXPECT_NE(only_fault(examine(narrow)).find("--join 0.505"), std::string::npos);
 }
 
+/// Two sides of a plate, whose others are hidden or missing.
+TEST(ImportOpen, LinesMayBeTheOutlineOfWhatLiesPartlyInTheirHull) {
+  const auto sides = [] { return DxfText().line({0, 0}, {100, 0}).line({100, 0}, {100, 60}); };
+  for (const Point& centre : {Point{50, 30}, {52, 35}, {60, 20}}) {
+    const Import import = examine(sides().circle(centre, 5));
+    ASSERT_EQ(import.faults.size(), 1u) << centre.x;
+    EXPECT_NE(import.faults[0].problem().find("in it"), std::string::npos) << import.faults[0].problem();
+  }
+  // A long piece may cross the hull, and have no vertex in it.
+  EXPECT_EQ(examine(sides().polyline({{20, 50}, {95, 10}, {96, 12}, {21, 52}}, true)).faults.size(), 1u);
+  // Beyond it, or where the line hangs on it, it is no part of that.
+  EXPECT_TRUE(examine(sides().circle({20, 45}, 5)).faults.empty());
+  EXPECT_TRUE(examine(DxfText().box({0, 0}, {40, 40}).polyline({{40, 20}, {60, 20}, {60, 50}, {30, 50}}, false))
+                  .faults.empty());
+}
+
+TEST(ImportOpen, LinesThatGoOnHiddenAreAnError) {
+  const auto file = [](DxfText text) {
+    std::string all = text.file();
+    const std::string layer = "0\nSECTION\n2\nTABLES\n0\nLAYER\n2\nHID\n70\n1\n62\n7\n0\nENDSEC\n";
+    return all.insert(all.find("0\nSECTION\n2\nENTITIES"), layer);
+  };
+  const auto half = [] { return DxfText().circle({20, 45}, 5).line({0, 0}, {100, 0}).line({100, 0}, {100, 60}); };
+  // In one piece, or in two.
+  for (const DxfText& text : {half().polyline({{100, 60.001}, {0, 60}, {0, 0}}, false, "HID"),
+                              half().line({100, 60}, {0, 60}, "HID").line({0, 60}, {0, 0}, "HID")}) {
+    const Import import = examine(file(text), "d.dxf");
+    ASSERT_EQ(import.faults.size(), 1u);
+    EXPECT_NE(import.faults[0].problem().find("where lines go on that are not visible"), std::string::npos);
+    EXPECT_NE(import.faults[0].hint().find("make these lines visible"), std::string::npos);
+  }
+  // Where only one end goes on, or in material, nothing is missing.
+  EXPECT_TRUE(examine(file(half().line({100, 60}, {0, 60}, "HID")), "d.dxf").faults.empty());
+  DxfText bend;
+  bend.box({0, 0}, {40, 40}).line({5, 20}, {35, 20}).line({5, 20}, {5, 30}, "HID").line({35, 20}, {35, 30}, "HID");
+  EXPECT_TRUE(examine(file(bend), "d.dxf").faults.empty());
+  const std::string unseen = "<path d='M 100 60 H 0 V 0' display='none'/>";
+  const Import svg = examine(
+      "<svg fill='none' stroke='red'><circle cx='20' cy='45' r='5'/><path d='M 0 0 H 100 V 60'/>" + unseen + "</svg>",
+      "d.svg");
+  ASSERT_EQ(svg.faults.size(), 1u);
+  EXPECT_NE(svg.faults[0].problem().find("<path> at d.svg:1:"), std::string::npos) << svg.faults[0].problem();
+  ImportSettings settings;
+  settings.open = drawing::OpenRings::skip;
+  EXPECT_TRUE(
+      examine(file(half().polyline({{100, 60}, {0, 60}, {0, 0}}, false, "HID")), "d.dxf", settings).faults.empty());
+}
+
+/// Axes beside a part could be two sides of its outline.
+TEST(ImportOpen, AxesAroundAPartAreNamedWithARemedy) {
+  const auto axes = [] {
+    return DxfText().box({0, 0}, {40, 30}).circle({10, 10}, 3).line({-10, -10}, {90, -10}).line({-10, -10}, {-10, 80});
+  };
+  const Import import = examine(axes());
+  ASSERT_EQ(import.faults.size(), 1u);
+  EXPECT_EQ(import.faults[0].hint(),
+            "if it is an axis or a mark, leave it out with --open skip; else draw what is missing");
+  ImportSettings settings;
+  settings.open = drawing::OpenRings::skip;
+  expect_totals(examine(axes(), settings), 1200 - 9 * 3.14159265, 1, 1, 0.5);
+}
+
 }  // namespace
 }  // namespace taut
