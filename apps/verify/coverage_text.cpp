@@ -13,6 +13,7 @@ std::string coverage_text(const Coverage& c) {
     if (count > 0) left_out += fmt::format("{}{} {}", left_out.empty() ? "" : ", ", count, what);
   };
   add(c.ignored, "ignored");
+  add(c.layers, "on different layers");
   add(c.at_rest, "at rest");
   add(c.moving_alike, "moving alike");
   if (left_out.empty()) return text + "\n";

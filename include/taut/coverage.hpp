@@ -13,9 +13,10 @@ struct Coverage {
   std::uint64_t ignored = 0;       ///< not tested: Scene::ignore excludes them
   std::uint64_t moving_alike = 0;  ///< not tested: both bodies have the same motion, see Scene::at_rest
   std::uint64_t at_rest = 0;       ///< not tested: neither body moves, see Scene::at_rest
+  std::uint64_t layers = 0;        ///< not tested: the bodies have no layer in common, see Body::z, and never meet
 
   /// Pairs about which the answer says nothing.
-  std::uint64_t untested() const { return ignored + moving_alike + at_rest; }
+  std::uint64_t untested() const { return ignored + moving_alike + at_rest + layers; }
   /// True if there is no pair about which the answer could say anything.
   bool is_empty() const { return untested() == pairs; }
 };

@@ -54,6 +54,7 @@ struct Outline {
 struct CurvedPart {
   Outline outline;
   std::vector<Outline> holes;
+  std::optional<Layers> z = {};  ///< its own layers, in place of those of its body
 };
 
 /// What is inside, of a path with several subpaths: as in SVG.

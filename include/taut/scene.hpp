@@ -37,6 +37,8 @@ struct Body {
   /// The parts of a body that is bounded by curves; `polygon`, `parts` and `prepared` are empty then. Questions that
   /// do not take curves refuse it: flatten() makes polygons of it.
   std::vector<CurvedPart> curves = {};
+  /// The layers that its parts reach through, but for those that have layers of their own.
+  Layers z = {};
 };
 
 /// The most bodies that a chain of `relative_to` may have.

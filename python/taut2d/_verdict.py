@@ -46,7 +46,8 @@ def untested_text(coverage: Coverage) -> str:
     """Which pairs the answer says nothing about; empty if there are none."""
     if coverage.untested == 0:
         return ""
-    counts = ((coverage.ignored, "ignored"), (coverage.moving_alike, "moving alike"), (coverage.at_rest, "at rest"))
+    counts = ((coverage.ignored, "ignored"), (coverage.moving_alike, "moving alike"), (coverage.at_rest, "at rest"),
+              (coverage.layers, "on different layers"))
     why = ", ".join(f"{count} {word}" for count, word in counts if count > 0)
     return f"not tested: {coverage.untested} of {coverage.pairs} pair{'' if coverage.pairs == 1 else 's'} ({why})"
 

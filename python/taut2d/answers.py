@@ -102,7 +102,8 @@ class Coverage:
 
     ``tested``: examined by an engine. ``apart``: kept apart by bounding boxes, as far as the answer goes. Nothing is said
     of the others: ``ignored``: Scene.ignore excludes them; ``moving_alike``: both bodies have the same motion;
-    ``at_rest``: neither moves (see Scene.at_rest for these two).
+    ``at_rest``: neither moves (see Scene.at_rest for these two); ``layers``: they have no layer in common (see Body.z), and
+    never meet.
     """
 
     pairs: int
@@ -111,11 +112,12 @@ class Coverage:
     ignored: int
     moving_alike: int
     at_rest: int
+    layers: int
 
     @property
     def untested(self) -> int:
         """The number of pairs about which the answer says nothing."""
-        return self.ignored + self.moving_alike + self.at_rest
+        return self.ignored + self.moving_alike + self.at_rest + self.layers
 
 
 @dataclass(frozen=True)

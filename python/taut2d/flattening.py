@@ -32,9 +32,9 @@ def _flat_bodies(bodies: tuple[Body, ...], folder: str, tolerance: float, outer:
         alone = Scene([Body(body.name, body.shape) for body in curved], (0, 0), folder=folder)
         flat = _taut2d.flatten(alone._text(), tolerance, outer)
     found = {}
-    for body, parts in zip(curved, flat):
+    for body, (parts, layers) in zip(curved, flat):
         rings = [[tuple(struct.iter_unpack("dd", ring)) for ring in part] for part in parts]
-        shape = [Part(part[0], part[1:]) for part in rings]
+        shape = [Part(part[0], part[1:], z) for part, z in zip(rings, layers)]
         found[body.name] = replace(body, shape=shape[0] if len(shape) == 1 else shape)
     return found
 

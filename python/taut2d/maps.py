@@ -108,7 +108,7 @@ class StaticMap:
         ``name``: what answers call it; no body of the map has it. Raises InputError, also where the shape's own
         coordinates are beyond the map's ``reach``.
         """
-        body = Body(shape.name, shape.shape, id=shape.id) if isinstance(shape, Body) else Body(name, shape)
+        body = Body(shape.name, shape.shape, id=shape.id, z=shape.z) if isinstance(shape, Body) else Body(name, shape)
         if any(body.name == other.name for other in self.bodies):
             raise InputError(body.name, "a body of the map has the same name", "give the mover another one")
         with _plain_places():

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, Union
+from typing import Any, Optional, Union
 
 from ._numbers import number, path_text, point
 from .errors import InputError
@@ -14,6 +14,7 @@ from .words import FillRule
 __all__ = ["GeojsonFile", "OnePart", "Part", "Parts", "Path", "WktFile", "parts_of_value", "shape_of_value"]
 
 Point = tuple[float, float]
+Layers = tuple[Optional[float], Optional[float]]
 Ring = tuple[Point, ...]
 
 
@@ -23,6 +24,23 @@ def opened(ring: Any) -> Any:
     while len(ring) > 1 and all(a == b for a, b in zip(ring[0], ring[-1])):
         ring = ring[:-1]
     return ring
+
+
+def layers(value: Any, place: str = "z") -> Optional[Layers]:
+    """(lo, hi) with lo < hi, where None is no end; or None for all layers."""
+    if value is None:
+        return None
+    ends = tuple(value) if isinstance(value, Sequence) and not isinstance(value, str) else (value,)
+    if len(ends) != 2:
+        raise InputError(place, "expected two heights", "give (lo, hi), the lower one first, or None for no end")
+    lo, hi = (None if end is None else number(end, place) for end in ends)
+    if lo is not None and hi is not None and not lo < hi:
+        raise InputError(place, f"the layers run from {lo!r} to {hi!r}", "give the lower height first")
+    return lo, hi
+
+
+def _on_layers(json: Any, z: Optional[Sequence[Optional[float]]]) -> Any:
+    return json if z is None else {**json, "z": list(z)}
 
 
 def _ring(values: Any, place: str) -> Ring:
@@ -42,19 +60,25 @@ def _ring(values: Any, place: str) -> Ring:
 class Part:
     """A polygon without its holes. ``outline`` and each of ``holes`` are lists of (x, y), or numpy arrays with two
     columns: the vertices in order, in either orientation. A first vertex that is repeated at the end is left out there.
-    Holes lie inside the outline, and none touches it or another one."""
+    Holes lie inside the outline, and none touches it or another one. ``z``: its own layers, (lo, hi), in place of those of
+    its body; see Body.z."""
 
     outline: Any
     holes: Any = ()
+    z: Optional[Sequence[Optional[float]]] = None
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "outline", _ring(self.outline, "outline"))
         holes = tuple(_ring(hole, f"holes[{i}]") for i, hole in enumerate(self.holes))
         object.__setattr__(self, "holes", holes)
+        object.__setattr__(self, "z", layers(self.z))
 
     def _json(self) -> Any:
         outline = [list(p) for p in self.outline]
-        return {"outline": outline, "holes": [[list(p) for p in hole] for hole in self.holes]} if self.holes else outline
+        if not self.holes and self.z is None:
+            return outline
+        holes = {"holes": [[list(p) for p in hole] for hole in self.holes]} if self.holes else {}
+        return _on_layers({"outline": outline, **holes}, self.z)
 
 
 def _segment_text(segment: Any, place: str) -> str:
@@ -80,12 +104,15 @@ class Path:
     control, control, end) are Bezier curves, (start, radius, rotation, large, sweep, end) is an arc. Every subpath is
     closed, and must meet neither itself nor another one.
     ``fill_rule``: "nonzero" or "evenodd", where subpaths lie in each other.
+    ``z``: its own layers, as of a Part.
     """
 
     path: Any
     fill_rule: FillRule = "nonzero"
+    z: Optional[Sequence[Optional[float]]] = None
 
     def __post_init__(self) -> None:
+        object.__setattr__(self, "z", layers(self.z))
         if self.fill_rule not in ("nonzero", "evenodd"):
             raise InputError("fill_rule", f"unknown rule {self.fill_rule!r}", 'write "nonzero" or "evenodd"')
         if hasattr(self.path, "d"):
@@ -101,34 +128,39 @@ class Path:
         object.__setattr__(self, "path", f"M {start.real!r} {start.imag!r} {text} Z")
 
     def _json(self) -> Any:
-        return {"path": self.path, "fill-rule": self.fill_rule}
+        return _on_layers({"path": self.path, "fill-rule": self.fill_rule}, self.z)
 
 
 @dataclass(frozen=True)
 class WktFile:
-    """An outline from a file with a WKT POLYGON. ``path`` is relative to the scene's folder, and must lie below it."""
+    """An outline from a file with a WKT POLYGON. ``path`` is relative to the scene's folder, and must lie below it.
+    ``z``: its own layers, as of a Part."""
 
     path: Union[str, os.PathLike[str]]
+    z: Optional[Sequence[Optional[float]]] = None
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "path", path_text(self.path, "path"))
+        object.__setattr__(self, "z", layers(self.z))
 
     def _json(self) -> Any:
-        return {"wkt": self.path}
+        return _on_layers({"wkt": self.path}, self.z)
 
 
 @dataclass(frozen=True)
 class GeojsonFile:
     """An outline from a file with a GeoJSON Polygon. ``path`` is relative to the scene's folder, and must lie below
-    it."""
+    it. ``z``: its own layers, as of a Part."""
 
     path: Union[str, os.PathLike[str]]
+    z: Optional[Sequence[Optional[float]]] = None
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "path", path_text(self.path, "path"))
+        object.__setattr__(self, "z", layers(self.z))
 
     def _json(self) -> Any:
-        return {"geojson": self.path}
+        return _on_layers({"geojson": self.path}, self.z)
 
 
 OnePart = Union[Part, Path, WktFile, GeojsonFile]

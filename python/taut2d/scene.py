@@ -14,7 +14,7 @@ from .answers import Answer, Contact
 from .errors import InputError
 from .motions import (CsvKeyframes, Keyframes, Motion, Pieces, Polynomial, Revolute, Slide, Sweep, Velocity,
                       motion_from_json)
-from .parts import GeojsonFile, OnePart, Part, Path, WktFile, flatten_hint, shape_of_value
+from .parts import GeojsonFile, OnePart, Part, Path, WktFile, flatten_hint, layers, shape_of_value
 from .pictures import Pose
 from .words import AtRest, Touch
 
@@ -46,6 +46,8 @@ class Body:
     ``relative_to``: the name of another body, in whose frame the motion is seen: an arm's second link, from the first.
     Chains have at most 16 bodies.
     ``id``: any JSON value, which answers hand through; None is no id.
+    ``z``: the layers that the body reaches through, (lo, hi) across the plane, where None is no end; None: all. Bodies can meet only where the
+    insides of these intervals do: plates that lie flush on each other do not. Parts may have layers of their own.
 
     Raises InputError for what is not a shape or a number; that a boundary does not cross itself, and the like, is looked
     at by check() and Scene.validate().
@@ -56,9 +58,11 @@ class Body:
     motion: Optional[Motion] = None
     relative_to: Optional[str] = None
     id: Any = None
+    z: Optional[Sequence[Optional[float]]] = None
 
     def __post_init__(self) -> None:
         _name(self.name, "name")
+        object.__setattr__(self, "z", layers(self.z, f"{self.name}: z"))
         try:
             object.__setattr__(self, "shape", shape_of_value(self.shape, "shape"))
         except InputError as error:
@@ -76,6 +80,8 @@ class Body:
             object["parts"] = [part._json() for part in self.shape]
         else:
             object["polygon"] = self.shape._json()
+        if self.z is not None:
+            object["z"] = list(self.z)
         if self.relative_to is not None:
             object["relative_to"] = _name(self.relative_to, f"{self.name}: relative_to")
         if self.motion is not None:
@@ -87,16 +93,17 @@ def _body_from_json(value: dict[str, Any]) -> Body:
     def part(given: Any) -> OnePart:
         if isinstance(given, dict):
             if "wkt" in given:
-                return WktFile(given["wkt"])
+                return WktFile(given["wkt"], given.get("z"))
             if "path" in given:
-                return Path(given["path"], given.get("fill-rule", "nonzero"))
+                return Path(given["path"], given.get("fill-rule", "nonzero"), given.get("z"))
             if "geojson" in given:
-                return GeojsonFile(given["geojson"])
-            return Part(given["outline"], tuple(given.get("holes", ())))
+                return GeojsonFile(given["geojson"], given.get("z"))
+            return Part(given["outline"], tuple(given.get("holes", ())), given.get("z"))
         return Part(given)
 
     shape: Any = [part(p) for p in value["parts"]] if "parts" in value else part(value["polygon"])
-    return Body(value["name"], shape, motion_from_json(value.get("motion")), value.get("relative_to"), value.get("id"))
+    return Body(value["name"], shape, motion_from_json(value.get("motion")), value.get("relative_to"), value.get("id"),
+                value.get("z"))
 
 
 @dataclass(frozen=True)

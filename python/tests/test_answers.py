@@ -93,7 +93,7 @@ def test_three_bodies_name_pair_coverage_and_parts():
     far = Body("far", [(50, 0), (51, 0), (50, 1)])
     answer = taut2d.check(Scene([base, ball, far], (0, 10), [("far", "*")], id="q"), pairs="all", engine="spacetime")
     assert answer.pair == ("base", "ball") and answer.id == "q"
-    assert answer.coverage == taut2d.Coverage(pairs=3, tested=1, apart=0, ignored=2, moving_alike=0, at_rest=0)
+    assert answer.coverage == taut2d.Coverage(pairs=3, tested=1, apart=0, ignored=2, moving_alike=0, at_rest=0, layers=0)
     assert answer.pairs[0].contact.edge == taut2d.EdgeRef("base", answer.contact.edge.index, 0, 1)
     assert answer.contact.vertex.id == 7
     assert answer.contact.t[0] == 4

@@ -4,9 +4,12 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <tuple>
+#include <utility>
 
 #include "draw/curve_path.hpp"
 #include "io/text_file.hpp"
+#include "scene/cross_sections.hpp"
 #include "scene/ring_set.hpp"
 
 namespace taut::internal::io {
@@ -104,12 +107,19 @@ WorldShapes::WorldShapes(const Scene& scene) : order_(scene.bodies.size()) {
       shape.parts.push_back(std::move(rings));
     }
     shape.middle = {box.lo_x / 2 + box.hi_x / 2, box.lo_y / 2 + box.hi_y / 2};
-    shape.extent = std::hypot(box.hi_x - box.lo_x, box.hi_y - box.lo_y);
+    shape.extent = std::hypot(box.width(), box.height());
+    const std::vector<Layers> layers = layers_of_parts(body);
+    shape.z = *std::min_element(layers.begin(), layers.end(), [](const Layers& a, const Layers& b) {
+      return std::pair(a.lo, a.hi) < std::pair(b.lo, b.hi);
+    });
     bodies_.push_back(std::move(shape));
   }
   std::iota(order_.begin(), order_.end(), std::size_t{0});
-  std::stable_sort(order_.begin(), order_.end(),
-                   [this](std::size_t a, std::size_t b) { return bodies_[a].extent > bodies_[b].extent; });
+  // Higher layers over lower ones, and small bodies over large ones.
+  std::stable_sort(order_.begin(), order_.end(), [this](std::size_t a, std::size_t b) {
+    const Shape &p = bodies_[a], &q = bodies_[b];
+    return std::tuple(p.z.lo, p.z.hi, -p.extent) < std::tuple(q.z.lo, q.z.hi, -q.extent);
+  });
 }
 
 Point placed(const BodyPose& pose, const Point& p) {

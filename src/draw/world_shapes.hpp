@@ -40,7 +40,7 @@ class WorldShapes {
   /// Of its bounds.
   const Point& middle(std::size_t body) const { return bodies_[body].middle; }
   std::size_t vertices() const { return vertices_; }
-  /// Larger bodies first, so that none hides a smaller one that it overlaps.
+  /// Lower layers first; of one layer, larger bodies first, so that none hides a smaller one that it overlaps.
   const std::vector<std::size_t>& painting_order() const { return order_; }
 
  private:
@@ -50,6 +50,7 @@ class WorldShapes {
     InnerPoint inner;
     Point middle;
     double extent = 0;
+    Layers z;  ///< of its lowest part
   };
   std::vector<Shape> bodies_;
   std::vector<std::size_t> order_;

@@ -73,6 +73,7 @@ std::vector<Part> flatten(const std::vector<CurvedPart>& parts, CurveSide side, 
     curve::BandedPart banded(part, name);
     curve::refine_to(banded, tolerance, name);
     polygons.push_back(banded.polygons(side));
+    polygons.back().z = part.z;
   }
   return polygons;
 }

@@ -21,6 +21,7 @@ void AnswerWriter::coverage(const Coverage& c) {
     member("ignored", c.ignored);
     member("moving_alike", c.moving_alike);
     member("at_rest", c.at_rest);
+    member("layers", c.layers);
   });
 }
 

@@ -126,13 +126,14 @@ class SceneReader {
 
   template <class ReadMotion>
   Body read_body(std::size_t token, const std::string& path, const ReadMotion& read_motion) const {
-    const JsonObject object(document_, token, path, {"name", "polygon", "parts", "motion", "relative_to", "id"},
+    const JsonObject object(document_, token, path, {"name", "polygon", "parts", "z", "motion", "relative_to", "id"},
                             R"(a body as {"name":"P","polygon":[[x,y],...],"motion":null})");
     Body body;
     body.name = read_name(object.get("name"), object.path("name"));
     read_shape(object, token, path, body);
     if (const auto parent = object.find("relative_to"))
       body.relative_to = read_name(*parent, object.path("relative_to"));
+    if (const auto z = object.find("z")) body.z = read_layers(*z, object.path("z"));
     if (const auto id = object.find("id")) body.id = io::value_text(document_, *id);
     if (const auto motion = object.find("motion")) read_motion(*motion, object.path("motion"), body);
     return body;
@@ -188,7 +189,7 @@ class SceneReader {
       const std::size_t given = object.get("polygon");
       if (is_path(given)) return take_curves(read_path(given, object.path("polygon")), body);
       std::vector<Part> read = read_parts(given, object.path("polygon"));
-      if (read.size() == 1 && read[0].holes.empty()) {
+      if (is_plain(read)) {
         body.polygon = std::move(read[0].outline);
       } else {
         body.parts = std::move(read);
@@ -226,8 +227,13 @@ class SceneReader {
     if (paths) take_curves(std::move(curves), body);
   }
 
+  /// Is the body one polygon, on the body's layers?
+  static bool is_plain(const std::vector<Part>& parts) {
+    return parts.size() == 1 && parts[0].holes.empty() && !parts[0].z;
+  }
+
   static CurvedPart curved(const Part& part) {
-    CurvedPart curves{outline_of(part.outline), {}};
+    CurvedPart curves{outline_of(part.outline), {}, part.z};
     for (const Polygon& hole : part.holes) curves.holes.push_back(outline_of(hole));
     return curves;
   }
@@ -238,7 +244,7 @@ class SceneReader {
 
   std::vector<CurvedPart> read_path(std::size_t token, const std::string& path) const {
     const std::string shape = R"({"path": "M0 0 H10 A5 5 0 0 1 10 10 Z", "fill-rule": "nonzero"})";
-    const JsonObject object(document_, token, path, {"path", "fill-rule"}, shape);
+    const JsonObject object(document_, token, path, {"path", "fill-rule", "z"}, shape);
     FillRule rule = FillRule::nonzero;
     if (const auto given = object.find("fill-rule")) {
       document_.require(*given, JsonKind::string, object.path("fill-rule"), shape);
@@ -251,7 +257,7 @@ class SceneReader {
     const std::size_t data = object.get("path");
     document_.require(data, JsonKind::string, object.path("path"), shape);
     try {
-      return parse_path(document_.string_at(data), rule, "");
+      return on_layers(object, parse_path(document_.string_at(data), rule, ""));
     } catch (const InputError& error) {
       throw error.within(document_.error(data, object.path("path"), "", "").place());
     }
@@ -267,8 +273,9 @@ class SceneReader {
         return;
       }
       straight.push_back(*polygons);
+      straight.back().z = part.z;
     }
-    if (straight.size() == 1 && straight[0].holes.empty()) {
+    if (is_plain(straight)) {
       body.polygon = std::move(straight[0].outline);
     } else {
       body.parts = std::move(straight);
@@ -279,15 +286,41 @@ class SceneReader {
   std::vector<Part> read_parts(std::size_t token, const std::string& path) const {
     if (document_.at(token).kind() != JsonKind::object) return {{read_points(token, path), {}}};
     const JsonObject object(
-        document_, token, path, {"outline", "holes", "wkt", "geojson"},
+        document_, token, path, {"outline", "holes", "wkt", "geojson", "z"},
         R"("polygon": [[x, y], ...], or {"outline": ..., "holes": ...}, or {"path": ...}, or {"wkt": file})");
-    if (object.find("outline") || object.find("holes")) return {read_part(token, path)};
-    return read_file(token, path);
+    if (object.find("outline") || object.find("holes")) return on_layers(object, std::vector{read_part(token, path)});
+    return on_layers(object, read_file(token, path));
+  }
+
+  /// The layers that the object names, for all of these parts.
+  template <class Parts>
+  Parts on_layers(const JsonObject& object, Parts parts) const {
+    if (const auto z = object.find("z")) {
+      for (auto& part : parts) part.z = read_layers(*z, object.path("z"));
+    }
+    return parts;
+  }
+
+  Layers read_layers(std::size_t token, const std::string& path) const {
+    const std::string shape = R"("z": [lo, hi], the lowest and the highest height, or null for no end)";
+    document_.require(token, JsonKind::array, path, shape);
+    const std::size_t end = document_.after(token);
+    std::vector<std::optional<double>> ends;
+    for (std::size_t i = token + 1; i < end; i = document_.after(i)) {
+      const bool none = document_.at(i).kind() == JsonKind::null;
+      ends.push_back(none ? std::nullopt
+                          : std::optional(io::read_number(document_, i, element_path(path, ends.size()))));
+    }
+    Layers z;
+    if (ends.size() == 2) z = {ends[0].value_or(z.lo), ends[1].value_or(z.hi)};
+    if (ends.size() != 2 || !(z.lo < z.hi))
+      throw document_.error(token, path, "the layers are not two heights, the lower one first", "write " + shape);
+    return z;
   }
 
   Part read_part(std::size_t token, const std::string& path) const {
     const std::string shape = R"({"outline": [[x, y], ...], "holes": [[[x, y], ...], ...]})";
-    const JsonObject object(document_, token, path, {"outline", "holes"}, shape);
+    const JsonObject object(document_, token, path, {"outline", "holes", "z"}, shape);
     Part part;
     part.outline = read_points(object.get("outline"), object.path("outline"));
     const auto holes = object.find("holes");
@@ -306,7 +339,7 @@ class SceneReader {
   std::vector<Part> read_file(std::size_t token, const std::string& path) const {
     const std::string shape =
         R"("polygon": [[x, y], ...], or {"outline": ..., "holes": ...}, or {"path": "M..."}, or {"wkt": file}, or {"geojson": file})";
-    const JsonObject object(document_, token, path, {"wkt", "geojson"}, shape);
+    const JsonObject object(document_, token, path, {"wkt", "geojson", "z"}, shape);
     const auto wkt = object.find("wkt"), geojson = object.find("geojson");
     if (wkt.has_value() == geojson.has_value()) {
       throw document_.error(token, path, wkt ? "both \"wkt\" and \"geojson\" are given" : "no outline is given",

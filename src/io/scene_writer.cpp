@@ -1,3 +1,4 @@
+#include <cmath>
 #include <limits>
 
 #include "io/json_text.hpp"
@@ -63,15 +64,22 @@ std::string polygon_text(const Polygon& polygon) {
   return s + "]";
 }
 
+std::string layers_text(const Layers& z) {
+  const auto end = [](double height) { return std::isfinite(height) ? io::number_text(height) : "null"; };
+  return "\"z\":[" + end(z.lo) + "," + end(z.hi) + "]";
+}
+
 std::string part_text(const Part& part) {
-  if (part.holes.empty()) return polygon_text(part.outline);
-  std::string s = "{\"outline\":" + polygon_text(part.outline) + ",\n    \"holes\":[";
-  const char* separator = "";
+  if (part.holes.empty() && !part.z) return polygon_text(part.outline);
+  std::string s = "{\"outline\":" + polygon_text(part.outline);
+  const char* separator = ",\n    \"holes\":[";
   for (const Polygon& hole : part.holes) {
     s += separator + polygon_text(hole);
     separator = ",\n     ";
   }
-  return s + "]}";
+  if (!part.holes.empty()) s += "]";
+  if (part.z) s += ",\n    " + layers_text(*part.z);
+  return s + "}";
 }
 
 std::string parts_text(const std::vector<Part>& parts) {
@@ -81,7 +89,9 @@ std::string parts_text(const std::vector<Part>& parts) {
 }
 
 std::string path_text(const std::vector<CurvedPart>& parts) {
-  return "{\"path\":" + io::string_text(write_path(parts)) + ",\"fill-rule\":\"evenodd\"}";
+  std::string s = "{\"path\":" + io::string_text(write_path(parts)) + ",\"fill-rule\":\"evenodd\"";
+  if (parts[0].z) s += "," + layers_text(*parts[0].z);
+  return s + "}";
 }
 
 /// Each part is a path of its own, since parts may overlap.
@@ -102,6 +112,7 @@ std::string body_text(const Body& body) {
     s += ",\n   \"polygon\":" + part_text(body.parts[0]);
   else
     s += ",\n   \"parts\":" + parts_text(body.parts);
+  if (!(body.z == Layers{})) s += ",\n   " + layers_text(body.z);
   if (!body.relative_to.empty()) s += ",\n   \"relative_to\":" + io::string_text(body.relative_to);
   s += ",\n   \"motion\":" + motion_text(body.motion);
   if (!body.id.empty()) s += ",\n   \"id\":" + body.id;

@@ -66,7 +66,8 @@ Scene with_polygons(const Scene& scene, const PolygonsOfBodies& polygons) {
     if (body.curves.empty()) continue;
     body.curves.clear();
     body.parts = polygons[i];
-    if (body.parts.size() > 1 || !body.parts[0].holes.empty()) continue;
+    for (std::size_t k = 0; k < body.parts.size(); ++k) body.parts[k].z = scene.bodies[i].curves[k].z;
+    if (body.parts.size() > 1 || !body.parts[0].holes.empty() || body.parts[0].z) continue;
     body.polygon = std::move(body.parts[0].outline);
     body.parts.clear();
   }

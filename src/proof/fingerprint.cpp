@@ -7,6 +7,7 @@
 #include "proof/bytes.hpp"
 #include "proof/curved_scene.hpp"
 #include "proof/sha256.hpp"
+#include "scene/cross_sections.hpp"
 #include "scene/ignored_pairs.hpp"
 #include "scene/ring_set.hpp"
 #include "taut/error.hpp"
@@ -104,6 +105,25 @@ void add_motion(Hasher& hash, const Body& body, const Scene& scene) {
   for (const MotionPiece& piece : pieces) add_piece(hash, piece);
 }
 
+/// Of each body those of its parts; nothing if all parts are on all layers.
+void add_layers(Hasher& hash, const Scene& scene) {
+  std::vector<std::vector<Layers>> all;
+  bool layered = false;
+  for (const Body& body : scene.bodies) {
+    all.push_back(layers_of_parts(body));
+    for (const Layers& z : all.back()) layered = layered || !(z == Layers{});
+  }
+  if (!layered) return;
+  hash.byte(2);
+  for (const std::vector<Layers>& body : all) {
+    hash.count(body.size());
+    for (const Layers& z : body) {
+      hash.number(z.lo);
+      hash.number(z.hi);
+    }
+  }
+}
+
 /// All bodies with their parts and parents, then which pairs are not tested.
 void add_bodies(Hasher& hash, const Scene& scene) {
   const std::map<std::string, int> by_name = bodies_by_name(scene);
@@ -128,6 +148,7 @@ void add_bodies(Hasher& hash, const Scene& scene) {
     hash.count(static_cast<std::size_t>(b));
   }
   if (scene.at_rest == AtRest::test) hash.byte(1);
+  add_layers(hash, scene);
 }
 
 }  // namespace

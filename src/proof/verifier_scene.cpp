@@ -31,6 +31,34 @@ std::vector<double> key_of(const MotionChain& chain) {
   return key;
 }
 
+/// A body's parts at a height.
+struct Section {
+  Layers z;
+  std::vector<std::size_t> parts;
+};
+
+/// From the lowest height up: the parts between each two neighbouring ends of any part's layers, without gaps, and
+/// neighbours with the same parts taken together.
+std::vector<Section> sections_of(const Body& body) {
+  std::vector<Layers> layers;
+  for (const Part& part : body.parts) layers.push_back(part.z ? *part.z : body.z);
+  if (layers.empty()) layers.push_back(body.z);
+  std::set<double> heights;
+  for (const Layers& z : layers) heights.insert({z.lo, z.hi});
+  std::vector<Section> sections;
+  for (auto hi = std::next(heights.begin()); hi != heights.end(); ++hi) {
+    const double lo = *std::prev(hi);
+    Section section{{lo, *hi}, {}};
+    for (std::size_t k = 0; k < layers.size(); ++k) {
+      if (layers[k].lo <= lo && *hi <= layers[k].hi) section.parts.push_back(k);
+    }
+    const bool same = !sections.empty() && sections.back().parts == section.parts && sections.back().z.hi == lo;
+    if (same) sections.back().z.hi = *hi;
+    if (!same && !section.parts.empty()) sections.push_back(section);
+  }
+  return sections;
+}
+
 /// The power of two that brings all outlines within 1.
 int exponent_for(const Scene& scene) {
   double largest = 0;
@@ -48,17 +76,30 @@ int exponent_for(const Scene& scene) {
 
 VerifierScene::VerifierScene(const Scene& scene)
     : start_(scene.start), end_(scene.end), exponent_(exponent_for(scene)), ignored_(scene) {
-  for (const Body& body : scene.bodies) {
-    const int index = size();
-    bodies_.push_back({std::make_shared<const RingSet>(body, index, exponent_), {}, index});
-  }
+  add_bodies(scene);
   add_motions(scene);
   find_alike();
   std::set<int> motions;
-  for (int i = 0; i < size(); ++i) {
+  for (int i = 0; i < in_scene_; ++i) {
     if (!ignored_.has_all(i)) motions.insert((*this)[i].alike);
   }
   tests_alike_ = motions.size() <= 1 || scene.at_rest == AtRest::test;
+}
+
+void VerifierScene::add_bodies(const Scene& scene) {
+  in_scene_ = static_cast<int>(scene.bodies.size());
+  std::vector<VerifierBody> above;
+  for (int i = 0; i < in_scene_; ++i) {
+    const Body& body = scene.bodies[static_cast<std::size_t>(i)];
+    const std::vector<Section> sections = sections_of(body);
+    for (const Section& section : sections) {
+      layered_ = layered_ || !(section.z == Layers{});
+      std::vector<VerifierBody>& list = &section == &sections.front() ? bodies_ : above;
+      list.push_back({std::make_shared<const RingSet>(body, i, exponent_, section.parts), i, section.z, {}, 0});
+    }
+  }
+  for (VerifierBody& body : above) bodies_.push_back(std::move(body));
+  for (int i = 0; i < size(); ++i) bodies_[static_cast<std::size_t>(i)].alike = i;
 }
 
 void VerifierScene::find_alike() {
@@ -84,9 +125,9 @@ void VerifierScene::add_motions(const Scene& scene) {
     own.push_back(PieceList::between(body.motion, start_, end_, exponent_));
     parent.push_back(body.relative_to.empty() ? -1 : by_name.at(body.relative_to));
   }
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    MotionChain& chain = bodies_[i].motions;
-    for (int k = static_cast<int>(i); k >= 0; k = parent[static_cast<std::size_t>(k)]) {
+  for (VerifierBody& body : bodies_) {
+    MotionChain& chain = body.motions;
+    for (int k = body.in_scene; k >= 0; k = parent[static_cast<std::size_t>(k)]) {
       if (!own[static_cast<std::size_t>(k)].rests()) chain.push_back(own[static_cast<std::size_t>(k)]);
     }
     std::reverse(chain.begin(), chain.end());
@@ -94,7 +135,10 @@ void VerifierScene::add_motions(const Scene& scene) {
 }
 
 bool VerifierScene::asked(int a, int b) const {
-  return ((*this)[a].alike != (*this)[b].alike || tests_alike_) && !ignored_.has(a, b);
+  const VerifierBody &first = (*this)[a], &second = (*this)[b];
+  if (first.in_scene == second.in_scene || !(std::max(first.z.lo, second.z.lo) < std::min(first.z.hi, second.z.hi)))
+    return false;
+  return (first.alike != second.alike || tests_alike_) && !ignored_.has(first.in_scene, second.in_scene);
 }
 
 Coverage VerifierScene::coverage() const {
@@ -105,7 +149,7 @@ Coverage VerifierScene::coverage() const {
   const auto alike = [&](int body) -> std::uint64_t& {
     return (*this)[body].rests() ? count.at_rest : count.moving_alike;
   };
-  for (int body = 0; body < size(); ++body) {
+  for (int body = 0; body < in_scene_; ++body) {
     count.pairs += before++;
     if (ignored_.has_all(body)) continue;
     std::uint64_t& same = alike_before[(*this)[body].alike];
@@ -119,7 +163,46 @@ Coverage VerifierScene::coverage() const {
   }
   count.ignored = count.pairs - count.tested;
   if (tests_alike_) count.at_rest = count.moving_alike = 0;
-  count.tested -= count.at_rest + count.moving_alike;
+  count.layers = layered_ ? without_common_layer() : 0;
+  count.tested -= count.at_rest + count.moving_alike + count.layers;
+  return count;
+}
+
+/// Of pairs that are neither ignored nor left out because they move alike. A body has few kinds of layers: bodies are
+/// taken together that have the same.
+std::uint64_t VerifierScene::without_common_layer() const {
+  std::map<int, std::vector<std::pair<double, double>>> layers;  // of each body of the scene
+  for (const VerifierBody& body : bodies_) layers[body.in_scene].emplace_back(body.z.lo, body.z.hi);
+  struct Kind {
+    std::uint64_t bodies = 0;
+    std::map<int, std::uint64_t> alike;
+  };
+  std::map<std::vector<std::pair<double, double>>, Kind> kinds;
+  const auto apart = [](const auto& a, const auto& b) {
+    for (const auto& [a_lo, a_hi] : a) {
+      for (const auto& [b_lo, b_hi] : b) {
+        if (std::max(a_lo, b_lo) < std::min(a_hi, b_hi)) return false;
+      }
+    }
+    return true;
+  };
+  std::uint64_t count = 0;
+  for (int body = 0; body < in_scene_; ++body) {
+    if (ignored_.has_all(body)) continue;
+    const int alike = (*this)[body].alike;
+    for (const auto& [other, kind] : kinds) {
+      if (!apart(layers[body], other)) continue;
+      const auto same = kind.alike.find(alike);
+      count += kind.bodies - (tests_alike_ || same == kind.alike.end() ? 0 : same->second);
+    }
+    Kind& own = kinds[layers[body]];
+    ++own.bodies;
+    ++own.alike[alike];
+  }
+  for (const auto& [a, b] : ignored_.pairs()) {
+    if (ignored_.has_all(a) || ignored_.has_all(b) || !apart(layers[a], layers[b])) continue;
+    if (tests_alike_ || (*this)[a].alike != (*this)[b].alike) --count;
+  }
   return count;
 }
 

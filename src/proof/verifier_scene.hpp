@@ -12,9 +12,13 @@
 
 namespace taut::internal::proof {
 
-/// One body: its rings, and the motions of its chain, the outermost parent's first, without those that rest. Scaled.
+/// One body: its rings, and the motions of its chain, the outermost parent's first, without those that rest. Scaled. A
+/// body whose parts have different layers is one of these for each of its cross-sections: the lowest one has the body's
+/// number, and the others follow after the last body, in order.
 struct VerifierBody {
   std::shared_ptr<const RingSet> rings;
+  int in_scene = 0;  ///< the body's number in the scene
+  Layers z = {};
   MotionChain motions;
   int alike = 0;  ///< the same number for all bodies with the same motions: nothing happens between them
 
@@ -35,12 +39,13 @@ class VerifierScene {
   /// Internal coordinates are the input's times 2^exponent.
   int exponent() const { return exponent_; }
 
-  /// All pairs but the ignored ones, and those that move alike unless they are tested, too.
+  /// All pairs but the ignored ones, those without a common layer, and those that move alike unless they are tested,
+  /// too.
   bool asked(int a, int b) const;
   /// Are pairs that move alike tested? As the scene says, and where all bodies do that are not ignored altogether.
   bool tests_alike() const { return tests_alike_; }
   /// Is the body ignored altogether?
-  bool ignores(int body) const { return ignored_.has_all(body); }
+  bool ignores(int body) const { return ignored_.has_all((*this)[body].in_scene); }
   /// `tested`: all pairs that are asked about.
   Coverage coverage() const;
   /// In their roles: P is the body with the larger diameter, the first one if equal.
@@ -49,14 +54,18 @@ class VerifierScene {
   MotionSegments segments(const BodyPair& pair) const;
 
  private:
+  void add_bodies(const Scene& scene);
   void add_motions(const Scene& scene);
   void find_alike();
+  std::uint64_t without_common_layer() const;
 
   double start_, end_;
   int exponent_ = 0;
   std::vector<VerifierBody> bodies_;
   IgnoredPairs ignored_;
   bool tests_alike_ = false;
+  int in_scene_ = 0;      ///< the number of the scene's bodies
+  bool layered_ = false;  ///< some body is not on all layers
 };
 
 }  // namespace taut::internal::proof

@@ -15,7 +15,7 @@ constexpr std::size_t most_pairs = 1024;
 }  // namespace
 
 const EdgeRanges& VerifierWorld::ranges(const RingSet& body) {
-  std::unique_ptr<EdgeRanges>& made = ranges_[static_cast<std::size_t>(body.body())];
+  std::unique_ptr<EdgeRanges>& made = ranges_[&body];
   if (!made) made = std::make_unique<EdgeRanges>(*body.displaced(offset_));
   return *made;
 }

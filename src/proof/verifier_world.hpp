@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -42,7 +43,7 @@ class VerifierWorld {
  public:
   /// The scene must outlive it. The margin is in internal units.
   VerifierWorld(const VerifierScene& scene, Offset offset, double margin = 0)
-      : scene_(scene), offset_(offset), margin_(margin), ranges_(static_cast<std::size_t>(scene.size())) {}
+      : scene_(scene), offset_(offset), margin_(margin) {}
 
   const VerifierScene& scene() const { return scene_; }
   Offset offset() const { return offset_; }
@@ -58,7 +59,7 @@ class VerifierWorld {
   const VerifierScene& scene_;
   Offset offset_;
   double margin_;
-  std::vector<std::unique_ptr<EdgeRanges>> ranges_;  ///< by body
+  std::unordered_map<const RingSet*, std::unique_ptr<EdgeRanges>> ranges_;
   std::map<std::pair<int, int>, std::unique_ptr<VerifierPair>> pairs_;
 };
 

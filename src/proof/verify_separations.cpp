@@ -81,7 +81,7 @@ class SeparationsVerifier {
 
   /// Two bodies that are asked about; the next two numbers.
   std::pair<int, int> read_pair() {
-    const std::uint32_t a = in_.u32(), b = in_.u32(), n = static_cast<std::uint32_t>(scene_.bodies.size());
+    const std::uint32_t a = in_.u32(), b = in_.u32(), n = static_cast<std::uint32_t>(verifier_scene_.size());
     if (!(a < b && b < n) || !verifier_scene_.asked(static_cast<int>(a), static_cast<int>(b)))
       throw ProofError("a pair of bodies that is not asked about");
     return {static_cast<int>(a), static_cast<int>(b)};

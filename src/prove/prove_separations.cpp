@@ -34,12 +34,32 @@ std::optional<double> write_log(std::ostream& log, const Scene& scene, Touch tou
   return body->free_until;
 }
 
-/// The result of the pair that the answer names.
-const PairResult* earliest(const Answer& answer, const std::vector<PairResult>& results) {
-  const std::array<int, 2> named = answer.pair.value_or(std::array<int, 2>{0, 1});
-  const auto found = std::find_if(results.begin(), results.end(),
-                                  [&](const PairResult& r) { return r.a == named[0] && r.b == named[1]; });
-  return found == results.end() ? nullptr : &*found;
+/// The result that the answer names, of cross-sections of the two bodies.
+const PairResult* earliest(const Answer& answer, const Instance& instance, const std::vector<PairResult>& results) {
+  const PairResult* named = nullptr;
+  for (const PairResult& r : results) {
+    if (!r.contact || instance.scene_pair(r.a, r.b) != answer.pair) continue;
+    if (!named || r.contact->time.lo < named->contact->time.lo) named = &r;
+  }
+  return named;
+}
+
+/// The cross-sections of two bodies that have these features, and have a layer in common.
+std::array<int, 2> sections_with(const proof::VerifierScene& scene, const std::array<BodyId, 2>& bodies,
+                                 const CloseFeatures& features) {
+  const auto part_of = [&](BodyId body) {
+    if (features.vertex.body == body) return features.vertex.part;
+    return features.edge ? features.edge->part : features.other->part;
+  };
+  const auto is_of = [&](int section, BodyId body) {
+    return scene[section].in_scene == body && scene[section].rings->has_part(part_of(body));
+  };
+  for (int a = 0; a < scene.size(); ++a) {
+    for (int b = 0; b < scene.size() && is_of(a, bodies[0]); ++b) {
+      if (is_of(b, bodies[1]) && scene.asked(a, b)) return {std::min(a, b), std::max(a, b)};
+    }
+  }
+  throw StructureError("features of parts that have no layer in common");
 }
 
 /// Returns the answer as far as `write()` proves it, which returns up to when nothing happens: none if there is no log.
@@ -96,7 +116,7 @@ std::optional<SeparationsBody> body_of_log(const Run& run, const proof::Verifier
   const double until = proved.size() == 2 ? std::clamp(answer.free_until, proved.start(), proved.end())
                                           : end_of_windows(proved, answer.free_until);
   const std::vector<PairResult> results = run.search()->results();
-  const PairResult* named = earliest(answer, results);
+  const PairResult* named = earliest(answer, *run.instance(), results);
   if (named->touching) return SeparationsWriter(proved, Offset::inward).touching(*named);
   return SeparationsWriter(proved, offset).contact(*named, until);
 }
@@ -136,10 +156,11 @@ std::optional<SeparationsBody> body_about_clearance(const Scene& scene, const Ma
   const double margin = std::ldexp(clearance, proved.exponent());
   if (answer.outcome != Outcome::contact) return freedom(answer, proved, offset, margin);
   const PairMargin& first = *answer.first;
+  const std::array<int, 2> bodies = sections_with(proved, first.bodies, *first.features);
   if (offset == Offset::outward && first.time.hi <= proved.start())
-    return SeparationsWriter(proved, Offset::inward, margin).close_at_start(first.bodies, *first.features);
+    return SeparationsWriter(proved, Offset::inward, margin).close_at_start(bodies, *first.features);
   const double until = end_of_windows(proved, answer.free_until);
-  return SeparationsWriter(proved, offset, margin).closer(first.bodies, *first.features, {until, first.time.hi});
+  return SeparationsWriter(proved, offset, margin).closer(bodies, *first.features, {until, first.time.hi});
 }
 
 }  // namespace

@@ -47,14 +47,13 @@ class ClearanceSearch {
       return std::move(answer_);
     }
     search_all();
-    answer_.coverage = instance_.coverage(searched_.size());
+    answer_.coverage = instance_.coverage(instance_.scene_pairs(searched_));
     if (answer_.nearest) {
       answer_.outcome = answer_.nearest->hi > 0 ? Outcome::free : Outcome::contact;
       answer_.nearest->lo = std::min(answer_.nearest->lo, std::ldexp(certain_, -instance_.exponent()) * (1 - 0x1p-50));
       if (is_wide(*answer_.nearest)) answer_.wide = why_;
     }
-    std::sort(answer_.pairs.begin(), answer_.pairs.end(),
-              [](const NearestPoints& a, const NearestPoints& b) { return a.pair < b.pair; });
+    keep_nearest_of_each_pair();
     return std::move(answer_);
   }
 
@@ -63,6 +62,21 @@ class ClearanceSearch {
     double bound;
     int a, b;
   };
+
+  /// Cross-sections of two bodies are one pair. In the order of the scene.
+  void keep_nearest_of_each_pair() {
+    std::vector<NearestPoints>& pairs = answer_.pairs;
+    std::sort(pairs.begin(), pairs.end(), [](const NearestPoints& a, const NearestPoints& b) {
+      return a.pair != b.pair ? a.pair < b.pair : is_nearer(a, b);
+    });
+    for (std::size_t i = 1; i < pairs.size(); ++i) {
+      // The first one is the nearest as far as is known; another one may be nearer by what is not.
+      if (pairs[i].pair == pairs[i - 1].pair) pairs[i - 1].lo = std::min(pairs[i - 1].lo, pairs[i].lo);
+    }
+    pairs.erase(std::unique(pairs.begin(), pairs.end(),
+                            [](const NearestPoints& a, const NearestPoints& b) { return a.pair == b.pair; }),
+                pairs.end());
+  }
 
   bool is_wide(const NearestPoints& found) const {
     return found.hi - found.lo >
@@ -102,7 +116,7 @@ class ClearanceSearch {
   void search(const BoxedPair& pair) {
     const PairInstance search(instance_, pair.a, pair.b, Offset::outward);
     NearestPoints found;
-    found.pair = {pair.a, pair.b};
+    found.pair = instance_.scene_pair(pair.a, pair.b);
     if (!touching(search, found)) {
       if (!options_.all_pairs && !(best_ > 0)) return;
       spacetime::Nearest nearest;

@@ -103,9 +103,11 @@ class CurvedProfile {
     const int n = static_cast<int>(instance.bodies().size());
     for (int a = 0; a < n; ++a) {
       for (int b = a + 1; b < n; ++b) {
-        if (instance.asked(a, b)) pairs_.push_back({a, b});
+        if (instance.asked(a, b)) pairs_.push_back(instance.scene_pair(a, b));
       }
     }
+    std::sort(pairs_.begin(), pairs_.end());
+    pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
     return pairs_;
   }
 

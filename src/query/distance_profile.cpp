@@ -1,6 +1,8 @@
 // The distance of bodies as a function of time: at instants, between them, and the greatest one.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <queue>
 
 #include "numeric/budget.hpp"
@@ -25,6 +27,12 @@ struct Candidate {
   bool operator<(const Candidate& o) const { return most != o.most ? most < o.most : from > o.from; }
 };
 
+/// Intervals are in the order of their pairs.
+struct ByPair {
+  bool operator()(const OverlapInterval& o, const std::array<BodyId, 2>& pair) const { return o.pair < pair; }
+  bool operator()(const std::array<BodyId, 2>& pair, const OverlapInterval& o) const { return pair < o.pair; }
+};
+
 class ProfileSearch {
  public:
   /// Searches only the instants, or the whole profile.
@@ -40,8 +48,11 @@ class ProfileSearch {
     std::vector<const PairDistance*> all;
     for (const PairDistance& pair : pairs_) all.push_back(&pair);
     answer_.curves.push_back(curve(all));
-    if (options_.all_pairs && pairs_.size() > 1) {
-      for (const PairDistance& pair : pairs_) answer_.curves.push_back(curve({&pair}));
+    std::map<std::array<BodyId, 2>, std::vector<const PairDistance*>> by_pair;
+    for (const PairDistance& pair : pairs_) by_pair[pair.pair].push_back(&pair);
+    answer_.coverage = instance_.coverage(by_pair.size());
+    if (options_.all_pairs && by_pair.size() > 1) {
+      for (const auto& [pair, sections] : by_pair) answer_.curves.push_back(curve(sections));
     }
     return std::move(answer_);
   }
@@ -49,17 +60,16 @@ class ProfileSearch {
  private:
   void find_pairs(const Intervals& touching) {
     const int n = static_cast<int>(instance_.bodies().size());
-    auto next = touching.intervals.begin();
     for (int a = 0; a < n; ++a) {
       for (int b = a + 1; b < n; ++b) {
         if (!instance_.asked(a, b)) continue;
         checkpoint();
-        pairs_.push_back({{a, b}, PairInstance(instance_, a, b, Offset::outward), {}});
-        while (next != touching.intervals.end() && next->pair == pairs_.back().pair)
-          pairs_.back().touching.push_back(*next++);
+        pairs_.push_back({instance_.scene_pair(a, b), PairInstance(instance_, a, b, Offset::outward), {}});
+        const auto own =
+            std::equal_range(touching.intervals.begin(), touching.intervals.end(), pairs_.back().pair, ByPair());
+        pairs_.back().touching.assign(own.first, own.second);
       }
     }
-    answer_.coverage = instance_.coverage(pairs_.size());
   }
 
   double instant(int k) const {
@@ -71,7 +81,8 @@ class ProfileSearch {
   DistanceCurve curve(const std::vector<const PairDistance*>& pairs) const {
     const DistanceFunction distance(pairs, tolerance_, instance_.exponent());
     DistanceCurve curve;
-    if (pairs.size() == 1) curve.pair = pairs[0]->pair;
+    const auto same = [&](const PairDistance* p) { return p->pair == pairs[0]->pair; };
+    if (!pairs.empty() && std::all_of(pairs.begin(), pairs.end(), same)) curve.pair = pairs[0]->pair;
     for (int k = 0; k < options_.instants; ++k) curve.instants.push_back(distance.at(instant(k)));
     if (only_instants_) return curve;
     for (int k = 0; k + 1 < options_.instants; ++k) {

@@ -35,17 +35,31 @@ struct LinkedPair {
   std::array<BodyId, 2> bodies;
 
   LinkedPair(const Instance& world, int a, int b, const std::vector<Chain>& chains)
-      : search(world, a, b, Offset::outward), cells(search.geometry, search.trees()), bodies{a, b} {
+      : search(world, a, b, Offset::outward), cells(search.geometry, search.trees()), bodies(world.scene_pair(a, b)) {
     of_p = chains[static_cast<std::size_t>(search.bodies.rings[0]->body())];
     of_q = chains[static_cast<std::size_t>(search.bodies.rings[1]->body())];
     drop_common(of_p, of_q);
   }
 };
 
+/// The cross-sections of two bodies that have a layer in common.
+std::vector<std::array<int, 2>> sections_of_pair(const Instance& world, const std::array<BodyId, 2>& bodies) {
+  std::vector<std::array<int, 2>> pairs;
+  for (const int a : world.sections(bodies[0])) {
+    for (const int b : world.sections(bodies[1])) {
+      if (!world.excluded(a, b)) pairs.push_back({a, b});
+    }
+  }
+  return pairs;
+}
+
 /// Two bodies that no joint moves against each other overlap.
-bool overlap_at_rest(const Instance& world, int a, int b) {
-  const PairInstance pair(world, a, b, Offset::inward);
-  return spacetime::overlapping(pair.geometry, pair.trees(), pair.segments()[0], world.start()).has_value();
+bool overlap_at_rest(const Instance& world, const std::array<BodyId, 2>& bodies) {
+  const std::vector<std::array<int, 2>> sections = sections_of_pair(world, bodies);
+  return std::any_of(sections.begin(), sections.end(), [&](const std::array<int, 2>& s) {
+    const PairInstance pair(world, s[0], s[1], Offset::inward);
+    return spacetime::overlapping(pair.geometry, pair.trees(), pair.segments()[0], world.start()).has_value();
+  });
 }
 
 /// A cell that is still to be looked at, with what is known of it.
@@ -129,19 +143,22 @@ class EnvelopeSearch {
         any_moves = any_moves || apart;
         if (ignored.has(a, b)) {
           ++coverage.ignored;
-        } else if (apart) {
-          pairs_.push_back(std::make_unique<LinkedPair>(world_, a, b, chains));
-        } else {
+        } else if (!apart) {
           fixed.push_back({a, b});
+        } else {
+          const std::vector<std::array<int, 2>> sections = sections_of_pair(world_, {a, b});
+          ++(sections.empty() ? coverage.layers : coverage.tested);
+          for (const auto& [of_a, of_b] : sections)
+            pairs_.push_back(std::make_unique<LinkedPair>(world_, of_a, of_b, chains));
         }
       }
     }
     const bool tests_fixed = !any_moves || rests_.at_rest == AtRest::test;
-    coverage.tested = pairs_.size() + (tests_fixed ? fixed.size() : 0);
     coverage.at_rest = tests_fixed ? 0 : fixed.size();
     if (!tests_fixed) return;
-    const auto found = std::find_if(fixed.begin(), fixed.end(),
-                                    [&](const auto& pair) { return overlap_at_rest(world_, pair[0], pair[1]); });
+    for (const auto& pair : fixed) ++(sections_of_pair(world_, pair).empty() ? coverage.layers : coverage.tested);
+    const auto found =
+        std::find_if(fixed.begin(), fixed.end(), [&](const auto& pair) { return overlap_at_rest(world_, pair); });
     if (found != fixed.end()) overlap_ = *found;
   }
   Envelope untested() {

@@ -1,8 +1,10 @@
 #include "taut/intervals.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
+#include <map>
 
 #include "numeric/budget.hpp"
 #include "numeric/errors.hpp"
@@ -20,13 +22,43 @@ namespace taut {
 using namespace internal;
 namespace {
 
-void search_pair(const Instance& instance, int a, int b, const std::vector<TimeInterval>& near, Offset offset,
-                 bool plain, Intervals& answer) {
+using PairStretches = std::pair<std::pair<int, int>, std::vector<TimeInterval>>;
+
+/// Of two bodies of the scene: the times at which any of their cross-sections overlap. Where the enclosures of an end
+/// and of a beginning meet, one interval goes on in the other.
+std::vector<OverlapInterval> united(std::vector<OverlapInterval> all) {
+  std::stable_sort(all.begin(), all.end(),
+                   [](const OverlapInterval& a, const OverlapInterval& b) { return a.from.lo < b.from.lo; });
+  std::vector<OverlapInterval> one;
+  for (OverlapInterval& next : all) {
+    if (one.empty() || one.back().to.hi < next.from.lo) {
+      one.push_back(std::move(next));
+      continue;
+    }
+    OverlapInterval& last = one.back();
+    last.from.hi = std::min(last.from.hi, next.from.hi);
+    if (next.to.hi > last.to.hi) last.exit = next.exit;
+    last.to = {std::max(last.to.lo, next.to.lo), std::max(last.to.hi, next.to.hi)};
+  }
+  return one;
+}
+
+/// `sections` are those pairs of cross-sections of two bodies that come near each other.
+void search_pair(const Instance& instance, const std::vector<PairStretches>& sections, Offset offset, bool plain,
+                 Intervals& answer) {
+  const std::array<BodyId, 2> pair = instance.scene_pair(sections[0].first.first, sections[0].first.second);
+  std::vector<OverlapInterval> found;
   const std::string stopped = what_stops([&] {
-    for (OverlapInterval& found : overlap_intervals(instance, a, b, near, offset, plain))
-      answer.intervals.push_back(std::move(found));
+    for (const auto& [bodies, near] : sections) {
+      for (OverlapInterval& own : overlap_intervals(instance, bodies.first, bodies.second, near, offset, plain)) {
+        own.pair = pair;
+        found.push_back(std::move(own));
+      }
+    }
   });
-  if (!stopped.empty()) answer.undecided.push_back({{a, b}, Outcome::undecided, {}, instance.start(), stopped});
+  if (sections.size() > 1) found = united(std::move(found));
+  for (OverlapInterval& own : found) answer.intervals.push_back(std::move(own));
+  if (!stopped.empty()) answer.undecided.push_back({pair, Outcome::undecided, {}, instance.start(), stopped});
 }
 
 }  // namespace
@@ -57,20 +89,22 @@ Intervals intervals(const Scene& scene, const CheckOptions& options) {
   const NearStretches near(instance);
   // A single pair is searched over the whole time in one pass.
   const std::vector<TimeInterval> throughout{{instance.start(), instance.end()}};
-  const bool single = scene.bodies.size() == 2;
+  const bool single = instance.is_single_pair();
   const Budget scope(options.limits);
   Intervals answer;
-  answer.coverage = instance.coverage(near.pairs().size());
+  std::map<std::array<BodyId, 2>, std::vector<PairStretches>> by_pair;
+  for (const auto& [pair, stretches] : near.pairs())
+    by_pair[instance.scene_pair(pair.first, pair.second)].emplace_back(pair, single ? throughout : stretches);
+  answer.coverage = instance.coverage(by_pair.size());
   if (answer.coverage.is_empty()) {
     answer.outcome = Outcome::untested;
     answer.reason = why_untested(answer.coverage);
     return answer;
   }
   std::uint64_t searched = 0;
-  for (const auto& [pair, stretches] : near.pairs()) {
-    report_parts("pairs", searched++, near.pairs().size());
-    search_pair(instance, pair.first, pair.second, single ? throughout : stretches, offset_for(options.touch), single,
-                answer);
+  for (const auto& [pair, sections] : by_pair) {
+    report_parts("pairs", searched++, by_pair.size());
+    search_pair(instance, sections, offset_for(options.touch), single, answer);
   }
   conclude(answer);
   return answer;
@@ -118,7 +152,9 @@ Range range(const Scene& scene, double t, const CheckOptions& options) {
   if (!(t >= scene.start && t <= scene.end))
     throw InputError("from", "the instant is outside of the scene's time", "choose one within");
   const auto began = std::chrono::steady_clock::now();
-  Intervals before, after = intervals_within(scene, t, scene.end, options);
+  Intervals before, after;
+  // At the very end, the time before decides: a piece of a motion that begins there is none of the scene's.
+  if (t < scene.end || scene.start == scene.end) after = intervals_within(scene, t, scene.end, options);
   if (t > scene.start) {
     CheckOptions rest = options;
     rest.limits.max_seconds = time_left(rest.limits.max_seconds, began);

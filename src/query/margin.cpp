@@ -37,13 +37,15 @@ class MarginSearch {
   MarginAnswer run() {
     if (instance_.coverage(0).is_empty()) return untested();
     const std::vector<std::pair<int, int>> near = CoarseBoxes(instance_).pairs_within(margin_);
-    answer_.coverage = instance_.coverage(near.size());
+    answer_.coverage = instance_.coverage(instance_.scene_pairs(near));
     std::uint64_t asked = 0;
     for (const auto& [a, b] : near) {
       checkpoint();
       report_parts("pairs", asked++, near.size());
       ask(a, b);
     }
+    keep_first_of_each_pair(answer_.pairs);
+    keep_first_of_each_pair(events_);
     take_first();
     return std::move(answer_);
   }
@@ -59,7 +61,7 @@ class MarginSearch {
 
   void ask(int a, int b) {
     PairMargin pair;
-    pair.bodies = {a, b};
+    pair.bodies = instance_.scene_pair(a, b);
     pair.free_until = instance_.end();
     resolve(PairInstance(instance_, a, b, offset_), pair);
     if (options_.all_pairs) answer_.pairs.push_back(pair);
@@ -112,7 +114,7 @@ class MarginSearch {
   void take_start(const PairInstance& search, const MarginResult& found, PairMargin& pair) const {
     const double start = instance_.start();
     if (offset_ == Offset::outward) {
-      const PairInstance smaller(instance_, pair.bodies[0], pair.bodies[1], Offset::inward);
+      const PairInstance smaller(search.bodies, search.shared_segments, Offset::inward);
       const MarginResult closer =
           spacetime::first_closer(smaller.geometry, smaller.trees(), smaller.segments(), margin_, {start, start});
       if (closer.outcome == MarginResult::undecided) {
@@ -175,12 +177,26 @@ class MarginSearch {
     return nearest;
   }
 
+  /// An overlap at the start comes before everything else.
+  static std::pair<bool, double> rank(const PairMargin& p) {
+    return {p.outcome != Outcome::overlap_at_start, p.free_until};
+  }
+
+  /// Cross-sections of two bodies are one pair.
+  static void keep_first_of_each_pair(std::vector<PairMargin>& pairs) {
+    std::stable_sort(pairs.begin(), pairs.end(), [](const PairMargin& a, const PairMargin& b) {
+      if (a.bodies != b.bodies) return a.bodies < b.bodies;
+      if ((a.outcome == Outcome::free) != (b.outcome == Outcome::free)) return b.outcome == Outcome::free;
+      return rank(a) < rank(b);
+    });
+    pairs.erase(std::unique(pairs.begin(), pairs.end(),
+                            [](const PairMargin& a, const PairMargin& b) { return a.bodies == b.bodies; }),
+                pairs.end());
+  }
+
   /// Takes the first event, and those that are unordered with it.
   void take_first() {
     if (events_.empty()) return;
-    const auto rank = [](const PairMargin& p) {
-      return std::pair(p.outcome != Outcome::overlap_at_start, p.free_until);
-    };
     const auto first = std::min_element(events_.begin(), events_.end(),
                                         [&](const PairMargin& x, const PairMargin& y) { return rank(x) < rank(y); });
     const auto together = [&](const PairMargin& p) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numeric>
 
 #include "numeric/budget.hpp"
 #include "numeric/errors.hpp"
@@ -21,21 +22,17 @@ namespace {
 
 class SeparationSearch {
  public:
-  SeparationSearch(const Scene& scene, double travel) : instance_(scene), ignored_(scene), travel_(travel) {
+  SeparationSearch(const Scene& scene, double travel) : instance_(scene), travel_(travel) {
     for (const InstanceBody& body : instance_.bodies()) {
       standing_.push_back(std::make_unique<const StandingBody>(
           StandingBody{VerticesAtPose(body, instance_.start(), Offset::inward), tree_of(*body.rings, Offset::inward)}));
-      left_.push_back(static_cast<int>(left_.size()));
     }
+    left_.resize(scene.bodies.size());
+    std::iota(left_.begin(), left_.end(), 0);
   }
 
   /// The bodies stand still, so it does not matter which of them move alike later.
-  Coverage coverage() const {
-    Coverage coverage = instance_.coverage(0);
-    coverage.tested = coverage.pairs - coverage.ignored;
-    coverage.apart = coverage.at_rest = coverage.moving_alike = 0;
-    return coverage;
-  }
+  Coverage coverage() const { return instance_.coverage_of_all_groups(); }
 
   Separation run() {
     Separation answer;
@@ -46,10 +43,10 @@ class SeparationSearch {
       return answer;
     }
     answer.overlap = overlap();
-    const int n = static_cast<int>(standing_.size());
+    const int n = static_cast<int>(left_.size());
     if (!answer.overlap) {
       for (int body = n == 2 ? 1 : 0; body < n; ++body) {
-        report_parts("bodies", answer.bodies.size(), standing_.size());
+        report_parts("bodies", answer.bodies.size(), left_.size());
         answer.bodies.push_back(directions(body));
       }
       if (n > 2) take_apart(answer);
@@ -71,10 +68,10 @@ class SeparationSearch {
       report_parts("bodies held against the others", static_cast<std::uint64_t>(a), standing_.size());
       for (int b = a + 1; b < n; ++b) {
         checkpoint();
-        if (ignored_.has(a, b)) continue;
+        if (instance_.excluded(a, b)) continue;
         const PairInstance pair(instance_, a, b, Offset::inward);
         if (spacetime::overlapping(pair.geometry, pair.trees(), pair.segments()[0], instance_.start()))
-          return std::array<BodyId, 2>{a, b};
+          return instance_.scene_pair(a, b);
       }
     }
     return std::nullopt;
@@ -82,12 +79,16 @@ class SeparationSearch {
 
   /// The directions of a body relative to all that are left.
   BodyDirections directions(int body) const {
-    FreeDirections search(*standing_[static_cast<std::size_t>(body)], std::ldexp(travel_, instance_.exponent()));
-    std::vector<int> others;
+    FreeDirections search(std::ldexp(travel_, instance_.exponent()));
+    std::vector<std::array<int, 2>> pairs;
     for (const int other : left_) {
-      if (other == body || ignored_.has(body, other)) continue;
-      others.push_back(other);
-      search.add(*standing_[static_cast<std::size_t>(other)]);
+      for (const int own : instance_.sections(body)) {
+        for (const int theirs : instance_.sections(other)) {
+          if (instance_.excluded(own, theirs)) continue;
+          pairs.push_back({own, theirs});
+          search.add(*standing_[static_cast<std::size_t>(own)], *standing_[static_cast<std::size_t>(theirs)]);
+        }
+      }
     }
     BodyDirections found;
     found.body = body;
@@ -96,23 +97,22 @@ class SeparationSearch {
       found.free.emplace_back();
       return found;
     }
-    for (const VertexArc& arc : search.free()) found.free.push_back(arc_of(body, others, search, arc));
+    for (const VertexArc& arc : search.free()) found.free.push_back(arc_of(pairs, search, arc));
     return found;
   }
 
-  DirectionArc arc_of(int body, const std::vector<int>& others, const FreeDirections& search,
+  DirectionArc arc_of(const std::vector<std::array<int, 2>>& pairs, const FreeDirections& search,
                       const VertexArc& arc) const {
-    const auto rings = [&](int index) -> const RingSet& {
-      return *instance_.bodies()[static_cast<std::size_t>(index)].rings;
+    const auto rings = [&](const VertexDirection& d, std::size_t side) -> const RingSet& {
+      return *instance_.bodies()[static_cast<std::size_t>(pairs[static_cast<std::size_t>(d.other)][side])].rings;
     };
     const auto vertices = [&](const VertexDirection& d) -> std::optional<std::array<VertexRef, 2>> {
       if (d.kind != VertexDirection::Kind::vertices) return std::nullopt;
-      const RingSet& other = rings(others[static_cast<std::size_t>(d.other)]);
-      return std::array<VertexRef, 2>{rings(body).vertex(d.from), other.vertex(d.to)};
+      return std::array<VertexRef, 2>{rings(d, 0).vertex(d.from), rings(d, 1).vertex(d.to)};
     };
     const auto reach = [&](const VertexDirection& d) -> std::optional<VertexAtEdge> {
       if (d.kind == VertexDirection::Kind::vertices) return std::nullopt;
-      const RingSet &own = rings(body), &other = rings(others[static_cast<std::size_t>(d.other)]);
+      const RingSet &own = rings(d, 0), &other = rings(d, 1);
       if (d.kind == VertexDirection::Kind::to_edge) return VertexAtEdge{own.vertex(d.from), other.edge(d.to)};
       return VertexAtEdge{other.vertex(d.to), own.edge(d.from)};
     };
@@ -157,7 +157,6 @@ class SeparationSearch {
   }
 
   Instance instance_;
-  IgnoredPairs ignored_;
   double travel_;
   std::vector<std::unique_ptr<const StandingBody>> standing_;
   std::vector<int> left_;  ///< bodies that have not been removed

@@ -58,8 +58,11 @@ Scene CurvedWorld::polygons(CurveSide side) const {
     if (parts_[i].empty()) continue;
     Body& body = flat.bodies[i];
     body.curves.clear();
-    for (const curve::BandedPart& part : parts_[i]) body.parts.push_back(part.polygons(side));
-    if (body.parts.size() > 1 || !body.parts[0].holes.empty()) continue;
+    for (std::size_t k = 0; k < parts_[i].size(); ++k) {
+      body.parts.push_back(parts_[i][k].polygons(side));
+      body.parts.back().z = scene_.bodies[i].curves[k].z;
+    }
+    if (body.parts.size() > 1 || !body.parts[0].holes.empty() || body.parts[0].z) continue;
     body.polygon = std::move(body.parts[0].outline);
     body.parts.clear();
   }

@@ -8,6 +8,7 @@
 
 #include "geometry/displacement_check.hpp"
 #include "geometry/hull.hpp"
+#include "scene/cross_sections.hpp"
 #include "scene/ring_set.hpp"
 #include "scene/validate_scene.hpp"
 #include "taut/error.hpp"
@@ -63,6 +64,8 @@ struct RingNames {
            std::to_string(ref.part);
   }
 };
+
+}  // namespace
 
 class Fitter {
  public:
@@ -130,8 +133,21 @@ class Fitter {
   std::uint64_t seed_ = 0;
 };
 
+namespace {
+
 /// Boundaries of joined parts are off by this share of the fit: shrinking them moves edges by 1.05 to 1.95 times it.
 constexpr double share_of_joints = 0x1p-6;
+
+/// With the numbers of the body's parts, of which `parts` were joined.
+JoinedPart with_parts_of(const std::vector<std::size_t>& parts, JoinedPart joined) {
+  const auto rename = [&](JoinedRing& ring) {
+    for (VertexRef& v : ring.vertices) v.part = static_cast<int>(parts[static_cast<std::size_t>(v.part)]);
+    for (EdgeRef& e : ring.edges) e.part = static_cast<int>(parts[static_cast<std::size_t>(e.part)]);
+  };
+  rename(joined.outline);
+  for (JoinedRing& hole : joined.holes) rename(hole);
+  return joined;
+}
 
 }  // namespace
 
@@ -145,22 +161,13 @@ FittedScene::FittedScene(const Scene& scene, double fit, double excess) : scene_
   std::frexp(largest, &exponent);
   Fitter fitter(fit, fit + excess, exponent);
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-    const Body& body = scene.bodies[i];
-    joined_.push_back(joined_parts(body, static_cast<BodyId>(i), share_of_joints * fit));
     Body& small = scene_.bodies[i];
     small.prepared = nullptr;
-    small.parts.clear();
-    if (const auto& joined = joined_.back()) {
-      for (const JoinedPart& part : *joined) small.parts.push_back(fitter.part(body, part));
-      continue;
-    }
-    const std::vector<Part> parts = parts_of(body);
-    for (std::size_t k = 0; k < parts.size(); ++k) small.parts.push_back(fitter.part(body, parts[k], k));
     small.polygon.clear();
-    if (body.parts.empty()) {
-      small.polygon = small.parts[0].outline;
-      small.parts.clear();
-    }
+    small.parts = fitted_parts(fitter, scene.bodies[i], static_cast<BodyId>(i), fit);
+    if (!scene.bodies[i].parts.empty()) continue;
+    small.polygon = small.parts[0].outline;
+    small.parts.clear();
   }
   try {
     validate_polygons(scene_);
@@ -170,17 +177,48 @@ FittedScene::FittedScene(const Scene& scene, double fit, double excess) : scene_
   }
 }
 
-void FittedScene::name_given(Contact& contact) const {
-  const auto ring_of = [&](const auto& feature) -> const JoinedRing* {
-    const auto& joined = joined_[static_cast<std::size_t>(feature.body)];
-    if (!joined) return nullptr;
-    const JoinedPart& part = (*joined)[static_cast<std::size_t>(feature.part)];
-    return feature.ring == 0 ? &part.outline : &part.holes[static_cast<std::size_t>(feature.ring - 1)];
+/// The union of the body's parts, layer by layer.
+std::vector<Part> FittedScene::fitted_parts(Fitter& fitter, const Body& body, BodyId id, double fit) {
+  std::vector<Origin>& origins = origins_.emplace_back();
+  const std::vector<Part> parts = parts_of(body);
+  std::vector<Part> fitted;
+  const auto add = [&](Part part, const Layers& z, Origin origin) {
+    fitted.push_back(std::move(part));
+    fitted.back().z = z;
+    origins.push_back(std::move(origin));
   };
-  if (const JoinedRing* ring = ring_of(contact.vertex))
-    contact.vertex = ring->vertices[static_cast<std::size_t>(contact.vertex.index)];
-  if (const JoinedRing* ring = ring_of(contact.edge))
-    contact.edge = ring->edges[static_cast<std::size_t>(contact.edge.index)];
+  for (const CrossSection& section : cross_sections_of(body)) {
+    Body some = body;
+    some.parts.clear();
+    for (const std::size_t k : section.parts) some.parts.push_back(parts[k]);
+    if (const auto joined = joined_parts(some, id, share_of_joints * fit)) {
+      for (const JoinedPart& part : *joined) {
+        const JoinedPart named = with_parts_of(section.parts, part);
+        add(fitter.part(body, named), section.z, {0, named});
+      }
+    } else {
+      for (const std::size_t k : section.parts)
+        add(fitter.part(body, parts[k], k), section.z, {static_cast<int>(k), std::nullopt});
+    }
+  }
+  return fitted;
+}
+
+void FittedScene::name_given(Contact& contact) const {
+  const auto origin_of = [&](const auto& feature) -> const Origin& {
+    return origins_[static_cast<std::size_t>(feature.body)][static_cast<std::size_t>(feature.part)];
+  };
+  const auto ring_of = [](const auto& feature, const JoinedPart& part) -> const JoinedRing& {
+    return feature.ring == 0 ? part.outline : part.holes[static_cast<std::size_t>(feature.ring - 1)];
+  };
+  const Origin &of_vertex = origin_of(contact.vertex), &of_edge = origin_of(contact.edge);
+  contact.vertex.part = of_vertex.joined ? contact.vertex.part : of_vertex.given;
+  contact.edge.part = of_edge.joined ? contact.edge.part : of_edge.given;
+  if (of_vertex.joined)
+    contact.vertex =
+        ring_of(contact.vertex, *of_vertex.joined).vertices[static_cast<std::size_t>(contact.vertex.index)];
+  if (of_edge.joined)
+    contact.edge = ring_of(contact.edge, *of_edge.joined).edges[static_cast<std::size_t>(contact.edge.index)];
 }
 
 void FittedScene::name_given(Answer& answer) const {

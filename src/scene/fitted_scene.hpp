@@ -9,6 +9,8 @@
 
 namespace taut::internal {
 
+class Fitter;
+
 /// The same scene with all boundaries moved towards the material by between `fit` and twice as much along every edge:
 /// the displacement that puts scenes in general position, only larger, and rounded to doubles. What moves is the
 /// boundary of the union of a body's parts: where parts touch or overlap they are joined first (joined_parts()), so
@@ -28,7 +30,15 @@ class FittedScene {
   void name_given(Contact& contact) const;
 
   Scene scene_;
-  std::vector<std::optional<std::vector<JoinedPart>>> joined_;  ///< by body
+  /// What a part of a fitted body was: a part given, or a piece of some that are joined.
+  struct Origin {
+    int given = 0;
+    std::optional<JoinedPart> joined;
+  };
+
+  std::vector<Part> fitted_parts(Fitter& fitter, const Body& body, BodyId id, double fit);
+
+  std::vector<std::vector<Origin>> origins_;  ///< by body, of each part
 };
 
 }  // namespace taut::internal

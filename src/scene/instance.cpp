@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "motion/pieces.hpp"
+#include "scene/cross_sections.hpp"
 #include "taut/shape.hpp"
 
 namespace taut::internal {
@@ -51,17 +52,53 @@ void Instance::add_bodies(const Scene& scene) {
   bodies_.reserve(scene.bodies.size());
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     InstanceBody body;
-    body.rings = std::make_shared<const RingSet>(scene.bodies[i], static_cast<int>(i), exponent_);
+    const CrossSection lowest = cross_sections_of(scene.bodies[i]).front();
+    body.rings = std::make_shared<const RingSet>(scene.bodies[i], static_cast<int>(i), exponent_, lowest.parts);
+    body.body = static_cast<int>(i);
+    body.z = lowest.z;
     const PieceList own = PieceList::between(scene.bodies[i].motion, start_, end_, exponent_);
     if (!own.rests()) body.own = own;
     bodies_.push_back(std::move(body));
   }
   find_parents(scene);
+  in_scene_ = scene.bodies.size();
+  add_sections(scene);
   children_.resize(bodies_.size());
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     bodies_[i].motions = chain_of(static_cast<int>(i));
     if (bodies_[i].parent >= 0) children_[static_cast<std::size_t>(bodies_[i].parent)].push_back(static_cast<int>(i));
   }
+}
+
+/// Cross-sections beyond the lowest one rest on the body's lowest one.
+void Instance::add_sections(const Scene& scene) {
+  bool layered = false;
+  for (std::size_t i = 0; i < in_scene_; ++i) {
+    const std::vector<CrossSection> sections = cross_sections_of(scene.bodies[i]);
+    for (std::size_t k = 1; k < sections.size(); ++k) {
+      InstanceBody body;
+      body.rings = std::make_shared<const RingSet>(scene.bodies[i], static_cast<int>(i), exponent_, sections[k].parts);
+      body.body = body.parent = static_cast<int>(i);
+      body.z = sections[k].z;
+      bodies_.push_back(std::move(body));
+    }
+    for (const CrossSection& section : sections) layered = layered || !(section.z == Layers{});
+  }
+  if (!layered) return;
+  layers_.resize(in_scene_);
+  for (const InstanceBody& body : bodies_) layers_[static_cast<std::size_t>(body.body)].push_back(body.z);
+}
+
+std::array<BodyId, 2> Instance::scene_pair(int a, int b) const {
+  return {std::min(section(a).body, section(b).body), std::max(section(a).body, section(b).body)};
+}
+
+std::vector<int> Instance::sections(BodyId body) const {
+  std::vector<int> all{body};
+  for (std::size_t k = in_scene_; k < bodies_.size(); ++k) {
+    if (bodies_[k].body == body) all.push_back(static_cast<int>(k));
+  }
+  return all;
 }
 
 void Instance::find_parents(const Scene& scene) {
@@ -159,16 +196,20 @@ void Instance::find_groups() {
   }
 }
 
+bool Instance::excluded(int a, int b) const {
+  const InstanceBody &first = section(a), &second = section(b);
+  return first.body == second.body || !first.z.meet(second.z) || ignored_.has(first.body, second.body);
+}
+
 bool Instance::asked(int a, int b) const {
-  const bool together = bodies_[static_cast<std::size_t>(a)].group == bodies_[static_cast<std::size_t>(b)].group;
-  return (!together || tests_groups_) && !ignored_.has(a, b);
+  return (section(a).group != section(b).group || tests_groups_) && !excluded(a, b);
 }
 
 /// Does nothing move relative to anything else? Bodies that are ignored altogether, as what carries others, do not
 /// count.
 bool Instance::all_alike() const {
   int group = -1;
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+  for (std::size_t i = 0; i < in_scene_; ++i) {
     if (ignored_.has_all(static_cast<int>(i))) continue;
     if (group >= 0 && bodies_[i].group != group) return false;
     group = bodies_[i].group;
@@ -177,11 +218,11 @@ bool Instance::all_alike() const {
 }
 
 /// All pairs, and those that are not asked about.
-Coverage Instance::excluded() const {
-  const std::uint64_t n = bodies_.size();
+Coverage Instance::excluded(bool groups_are_tested) const {
+  const std::uint64_t n = in_scene_;
   std::vector<std::uint64_t> size(static_cast<std::size_t>(groups_), 0);  // of the group, without those that ignore all
   std::uint64_t listening = 0;
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+  for (std::size_t i = 0; i < in_scene_; ++i) {
     if (ignored_.has_all(static_cast<int>(i))) continue;
     ++listening;
     ++size[static_cast<std::size_t>(bodies_[i].group)];
@@ -199,14 +240,63 @@ Coverage Instance::excluded() const {
     const int group = bodies_[static_cast<std::size_t>(a)].group;
     if (group == bodies_[static_cast<std::size_t>(b)].group) --together(group);
   }
-  if (tests_groups_) count.at_rest = count.moving_alike = 0;
+  if (groups_are_tested) count.at_rest = count.moving_alike = 0;
+  count.layers = on_other_layers(groups_are_tested);
+  return count;
+}
+
+/// Pairs without a common layer, of those that are neither ignored nor left out as of one group. Counted by the
+/// different sets of layers, which are few.
+std::uint64_t Instance::on_other_layers(bool groups_are_tested) const {
+  if (layers_.empty()) return 0;
+  using Set = std::vector<std::pair<double, double>>;
+  std::map<Set, std::map<int, std::uint64_t>> sets;  // of bodies that are not ignored altogether, by group
+  const auto set_of = [&](std::size_t body) {
+    Set set;
+    for (const Layers& z : layers_[body]) set.emplace_back(z.lo, z.hi);
+    return set;
+  };
+  const auto apart = [](const Set& a, const Set& b) {
+    return std::none_of(a.begin(), a.end(), [&](const auto& x) {
+      return std::any_of(b.begin(), b.end(), [&](const auto& y) {
+        return Layers{x.first, x.second}.meet(Layers{y.first, y.second});
+      });
+    });
+  };
+  for (std::size_t i = 0; i < in_scene_; ++i) {
+    if (!ignored_.has_all(static_cast<int>(i)))
+      ++sets[set_of(i)][groups_are_tested ? static_cast<int>(i) : bodies_[i].group];
+  }
+  std::uint64_t count = 0;
+  for (auto a = sets.begin(); a != sets.end(); ++a) {
+    for (auto b = std::next(a); b != sets.end(); ++b) {
+      if (!apart(a->first, b->first)) continue;
+      std::uint64_t all_of_b = 0;
+      for (const auto& [group, number] : b->second) all_of_b += number;
+      for (const auto& [group, number] : a->second) {
+        const auto alike = b->second.find(group);
+        count += number * (all_of_b - (alike == b->second.end() ? 0 : alike->second));
+      }
+    }
+  }
+  for (const auto& [a, b] : ignored_.pairs()) {
+    if (ignored_.has_all(a) || ignored_.has_all(b)) continue;
+    const bool alike = !groups_are_tested && section(a).group == section(b).group;
+    if (!alike && apart(set_of(static_cast<std::size_t>(a)), set_of(static_cast<std::size_t>(b)))) --count;
+  }
   return count;
 }
 
 Coverage Instance::coverage(std::uint64_t tested) const {
-  Coverage all = excluded();
+  Coverage all = excluded(tests_groups_);
   all.tested = tested;
   all.apart = all.pairs - all.untested() - tested;
+  return all;
+}
+
+Coverage Instance::coverage_of_all_groups() const {
+  Coverage all = excluded(true);
+  all.tested = all.pairs - all.untested();
   return all;
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -16,9 +17,12 @@
 
 namespace taut::internal {
 
-/// One body: its rings, and how it moves.
+/// One body: its rings, and how it moves. A body with parts on different layers is several of these, one for each of
+/// its cross-sections.
 struct InstanceBody {
   SharedRings rings;
+  int body = 0;  ///< of the scene
+  Layers z = {};
   /// Of its parents, the outermost first, and its own; those that rest are left out. Scaled.
   MotionChain motions;
   int group = 0;
@@ -27,6 +31,9 @@ struct InstanceBody {
 };
 
 /// All bodies in one scale, their groups, and which pairs are asked about.
+///
+/// Bodies have the numbers that they have in the scene. Those of the scene with several cross-sections have the lowest
+/// one there, and the others follow after the last body, in order.
 class Instance {
  public:
   /// The scene must be valid.
@@ -42,13 +49,29 @@ class Instance {
 
   /// Two bodies: their pair is followed over the whole time, whether they are near or not.
   bool is_single_pair() const { return bodies_.size() == 2; }
-  bool ignored(int a, int b) const { return ignored_.has(a, b); }
+  /// The bodies of the scene that two bodies are cross-sections of, the first one first.
+  std::array<BodyId, 2> scene_pair(int a, int b) const;
+  /// Of how many pairs of the scene are these pairs of bodies?
+  template <class Pairs>
+  std::uint64_t scene_pairs(const Pairs& pairs) const {
+    if (bodies_.size() == in_scene_) return pairs.size();
+    std::set<std::array<BodyId, 2>> of_scene;
+    for (const auto& [a, b] : pairs) of_scene.insert(scene_pair(a, b));
+    return of_scene.size();
+  }
+  /// All cross-sections of a body of the scene, in order.
+  std::vector<int> sections(BodyId body) const;
+  /// Is the pair never asked about, however the bodies move? It is ignored, or has no common layer, or is of one body.
+  bool excluded(int a, int b) const;
   /// Are the two bodies asked about? a != b.
   bool asked(int a, int b) const;
   /// Are pairs of one group asked about? Nothing happens to them after the start.
   bool tests_groups() const { return tests_groups_; }
-  /// Of an answer for which engines have examined so many pairs: what is neither excluded nor examined is apart.
+  /// Of an answer for which engines have examined so many pairs of the scene: what is neither excluded nor examined is
+  /// apart.
   Coverage coverage(std::uint64_t tested) const;
+  /// Of an answer that is about bodies that move alike, too: what is not excluded is tested.
+  Coverage coverage_of_all_groups() const;
 
   /// Another motion of a body from t on, which must be valid; what happened before is forgotten but for the piece that
   /// held, and the world starts at `from`, which is t or before. Coverage is not counted anew. Only the body's
@@ -62,7 +85,9 @@ class Instance {
   MotionSegments segments(const BodyPair& pair) const { return segments_of(pair, start_, end_); }
 
  private:
+  const InstanceBody& section(int body) const { return bodies_[static_cast<std::size_t>(body)]; }
   void add_bodies(const Scene& scene);
+  void add_sections(const Scene& scene);
   void find_parents(const Scene& scene);
   MotionChain chain_of(int body) const;
   void find_groups();
@@ -70,12 +95,16 @@ class Instance {
   void leave_group(int body);
   void join_group(int body);
   bool all_alike() const;
-  Coverage excluded() const;
+  Coverage excluded(bool groups_are_tested) const;
+  std::uint64_t on_other_layers(bool groups_are_tested) const;
 
   double start_, end_;
   int exponent_ = 0;
   double largest_ = 0;
   std::vector<InstanceBody> bodies_;
+  std::vector<std::vector<Layers>>
+      layers_;                ///< of the scene's bodies, each interval once; empty if all have all layers
+  std::size_t in_scene_ = 0;  ///< the number of the scene's bodies
   std::vector<std::vector<int>> children_;
   int groups_ = 0;
   int resting_ = -1;  ///< the group of the bodies that rest, if there was one

@@ -261,4 +261,14 @@ std::optional<Point> common_point(const BodyPair& bodies, double t) {
                      placed_parts(*bodies.rings[1], frames[1]));
 }
 
+std::optional<Point> common_point(const Instance& instance, const std::array<BodyId, 2>& pair) {
+  for (const int a : instance.sections(pair[0])) {
+    for (const int b : instance.sections(pair[1])) {
+      if (instance.excluded(a, b)) continue;
+      if (const auto point = common_point(instance.pair(a, b), instance.start())) return point;
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace taut::internal

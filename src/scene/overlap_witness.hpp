@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "scene/body_pair.hpp"
+#include "scene/instance.hpp"
 
 namespace taut::internal {
 
@@ -12,5 +12,7 @@ namespace taut::internal {
 /// none was found: an overlap can be too thin for two doubles. Linear in the number of vertices, except where the
 /// overlap is small compared with the bodies.
 std::optional<Point> common_point(const BodyPair& bodies, double t);
+/// The same of two bodies of a scene, at its start, on any layer that both are on.
+std::optional<Point> common_point(const Instance& instance, const std::array<BodyId, 2>& pair);
 
 }  // namespace taut::internal

@@ -35,7 +35,8 @@ std::string ring_name(std::string body, bool several_parts, int part, int ring) 
   return body;
 }
 
-RingSet::RingSet(const Body& body, int index, int exponent) : index_(index), exponent_(exponent), name_(body.name) {
+RingSet::RingSet(const Body& body, int index, int exponent, const std::vector<std::size_t>& section)
+    : index_(index), exponent_(exponent), name_(body.name) {
   refuse_curves(body);
   bounds_ = AxisBox();
   if (body.parts.empty() && body.prepared) {
@@ -45,6 +46,7 @@ RingSet::RingSet(const Body& body, int index, int exponent) : index_(index), exp
     add_ring(body.polygon, 0, 0);
   }
   for (std::size_t i = 0; i < body.parts.size(); ++i) {
+    if (!section.empty() && !std::binary_search(section.begin(), section.end(), i)) continue;
     const Part& part = body.parts[i];
     add_ring(part.outline, static_cast<int>(i), 0);
     for (std::size_t j = 0; j < part.holes.size(); ++j)

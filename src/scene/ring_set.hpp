@@ -1,6 +1,7 @@
 // A body of several rings as the engines see it.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <memory>
@@ -65,8 +66,9 @@ struct SingleRing {
 /// between threads.
 class RingSet {
  public:
-  /// The body must be valid. Coordinates are the input's times 2^exponent; `index` is its position in the scene.
-  RingSet(const Body& body, int index, int exponent);
+  /// The body must be valid. Coordinates are the input's times 2^exponent; `index` is its position in the scene. Of a
+  /// body of parts, only those in `section`, unless it is empty.
+  RingSet(const Body& body, int index, int exponent, const std::vector<std::size_t>& section = {});
 
   /// The k-th vertex, and the edge from it to the next one along its ring, in the input's terms.
   VertexRef vertex(std::uint32_t k) const;
@@ -78,6 +80,9 @@ class RingSet {
   /// Of the bounds.
   double diagonal() const { return diagonal_; }
   std::size_t size() const { return size_; }
+  bool has_part(int part) const {
+    return std::any_of(maps_.begin(), maps_.end(), [&](const RingMap& ring) { return ring.part == part; });
+  }
   /// In the order of their vertices: the holes of a part follow its outline.
   const std::vector<RingMap>& rings() const { return maps_; }
   /// Of a ring, counterclockwise also if it is a hole; scaled.

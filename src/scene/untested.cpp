@@ -22,6 +22,9 @@ std::string why_untested(const Coverage& c) {
   add(c.ignored, "ignored");
   add(c.at_rest, "at rest");
   add(c.moving_alike, "moving alike");
+  add(c.layers, "on different layers");
+  if (c.ignored + c.layers == c.pairs)
+    return start + parts + R"(; give bodies a layer in common, by their "z", or take pairs out of "ignore")";
   return start + parts + R"(; take pairs out of "ignore", or test those at rest with "at_rest": "test")";
 }
 

@@ -1,5 +1,7 @@
 #include "scene/validate_scene.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -9,6 +11,7 @@
 #include "geometry/prepared_shape.hpp"
 #include "geometry/shape_facts.hpp"
 #include "motion/pieces.hpp"
+#include "scene/cross_sections.hpp"
 #include "scene/ring_set.hpp"
 #include "taut/error.hpp"
 #include "taut/validate.hpp"
@@ -86,6 +89,16 @@ void validate_shape(const Body& body, BodyId id, ShapeFacts& range, AxisBox& box
   }
 }
 
+void validate_layers(const Body& body) {
+  const std::vector<Layers> layers = layers_of_parts(body);
+  for (std::size_t k = 0; k < layers.size(); ++k) {
+    if (layers[k].lo < layers[k].hi) continue;
+    throw InputError(ring_name(body.name, layers.size() > 1, static_cast<int>(k), 0),
+                     fmt::format("its layers z run from {} to {}", layers[k].lo, layers[k].hi),
+                     "write the lower height first, and two different ones");
+  }
+}
+
 void validate_parents(const Scene& scene, const Names& names) {
   for (const Body& body : scene.bodies) {
     const Body* link = &body;
@@ -124,15 +137,19 @@ bool is_ring_pair(const Scene& scene) {
     return body.parts.empty() && body.curves.empty() && body.relative_to.empty();
   };
   return scene.bodies.size() == 2 && scene.ignore.empty() &&
-         std::all_of(scene.bodies.begin(), scene.bodies.end(), polygon);
+         std::all_of(scene.bodies.begin(), scene.bodies.end(), polygon) &&
+         share_layers(scene.bodies[0], scene.bodies[1]);
 }
 
 void require_ring_pair(const Scene& scene, const std::string& use) {
   for (const Body& body : scene.bodies) refuse_curves(body);
   if (is_ring_pair(scene)) return;
-  throw InputError("bodies",
-                   use + " needs two bodies, each one polygon in the world's frame, and the scene is another one",
-                   "`check` takes any number of bodies, with parts, holes, parents and ignored pairs");
+  throw InputError(
+      "bodies",
+      use +
+          " needs two bodies, each one polygon in the world's frame, on a common layer, and the scene is another "
+          "one",
+      "`check` takes any number of bodies, with parts, holes, parents and ignored pairs");
 }
 
 void validate_polygons(const Scene& scene) {
@@ -146,6 +163,7 @@ void validate_polygons(const Scene& scene) {
   double extent = 0;
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     AxisBox box;
+    validate_layers(scene.bodies[i]);
     validate_shape(scene.bodies[i], static_cast<BodyId>(i), range, box);
     boxes.push_back(box);
     extent = std::max(extent, diagonal(box));

@@ -70,7 +70,7 @@ MapQuery::Impl::Impl(const StaticMap& of, const std::vector<RobotLink>& links, c
     if (link.parent < -1 || link.parent >= static_cast<int>(rings.size()))
       throw InputError(link.shape.name(), "its parent does not come before it", "put links in order from the base on");
     movers.push_back(link.shape);
-    rings.push_back({link.shape.impl_->rings, link.parent});
+    rings.push_back({link.shape.impl_->rings, link.shape.impl_->z, link.parent});
   }
   if (links.empty()) throw InputError("robot", "there is no link", "give at least one");
   own.resize(links.size());
@@ -189,7 +189,11 @@ RobotFinding MapQuery::Impl::on_any_motion(std::span<const Motion> motions, doub
   };
   const Offset offset = search->offset();
   for (std::size_t k = 0; k < own.size(); ++k) {
-    MapSearch among(*bodies, {search->links()[k].rings, chain_of(motions, k, start, end), 0}, start, end, offset);
+    InstanceBody mover;
+    mover.rings = search->links()[k].rings;
+    mover.z = search->links()[k].z;
+    mover.motions = chain_of(motions, k, start, end);
+    MapSearch among(*bodies, std::move(mover), start, end, offset);
     if (among.start()) among.run();
     for (const PairResult& r : among.results()) note(r, static_cast<int>(k), std::min(r.a, r.b), -1);
   }

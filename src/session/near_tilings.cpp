@@ -28,7 +28,7 @@ std::vector<std::pair<int, int>> near_pairs(const Instance& instance) {
   std::iota(bodies.begin(), bodies.end(), 0);
   std::vector<std::pair<int, int>> pairs;
   if (instance.is_single_pair()) {
-    if (!instance.ignored(0, 1)) pairs.emplace_back(0, 1);
+    if (!instance.excluded(0, 1)) pairs.emplace_back(0, 1);
     return pairs;
   }
   MeetingBoxes(instance, bodies, instance.start(), instance.end()).each([&](int a, int b, bool) {

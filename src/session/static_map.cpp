@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 #include "motion/pieces.hpp"
 #include "numeric/budget.hpp"
 #include "numeric/errors.hpp"
 #include "numeric/undecided.hpp"
+#include "scene/cross_sections.hpp"
+#include "scene/untested.hpp"
 #include "scene/validate_scene.hpp"
 #include "session/static_map_parts.hpp"
 #include "solver/earliest.hpp"
@@ -52,23 +55,28 @@ ShapeFacts range_of(const std::vector<Body>& bodies) {
 
 std::vector<AxisBox> boxes_of(const std::vector<SharedRings>& rings) {
   std::vector<AxisBox> boxes;
-  for (const SharedRings& r : rings) boxes.push_back(swept_box({r, {}, 0}, 0, 0));
+  for (const SharedRings& r : rings) {
+    InstanceBody body;
+    body.rings = r;
+    boxes.push_back(swept_box(body, 0, 0));
+  }
   return boxes;
 }
 
 MapBodies prepared_bodies(const std::vector<Body>& bodies, double largest) {
   int exponent = 0;
   std::frexp(largest, &exponent);
-  std::vector<SharedRings> rings;
+  MapBodies all;
   double extent = 0;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    rings.push_back(std::make_shared<const RingSet>(bodies[i], static_cast<int>(i), -exponent));
-    extent = std::max(extent, std::ldexp(diagonal(rings.back()->bounds()), exponent));
+    for (const CrossSection& section : cross_sections_of(bodies[i])) {
+      all.rings.push_back(std::make_shared<const RingSet>(bodies[i], static_cast<int>(i), -exponent, section.parts));
+      all.z.push_back(section.z);
+      all.layered = all.layered || !(section.z == Layers{});
+      extent = std::max(extent, std::ldexp(diagonal(all.rings.back()->bounds()), exponent));
+    }
   }
-  const std::vector<AxisBox> boxes = boxes_of(rings);
-  MapBodies all;
-  all.rings = std::move(rings);
-  all.boxes = BoxTree(boxes);
+  all.boxes = BoxTree(boxes_of(all.rings));
   all.exponent = -exponent;
   all.extent = extent;
   return all;
@@ -79,12 +87,9 @@ class MapRun {
  public:
   MapRun(const MapBodies& bodies, const StaticMap::Mover::Impl& mover, const Motion& motion, double start, double end,
          const CheckOptions& options)
-      : bodies_(bodies),
-        start_(start),
-        end_(end),
-        options_(options),
-        scope_(options.limits),
-        mover_{mover.rings, {}, 0} {
+      : bodies_(bodies), start_(start), end_(end), options_(options), scope_(options.limits) {
+    mover_.rings = mover.rings;
+    mover_.z = mover.z;
     const PieceList pieces = PieceList::between(motion, start, end, bodies.exponent);
     if (!pieces.rests()) mover_.motions.push_back(pieces);
   }
@@ -137,13 +142,29 @@ class MapRun {
       answer.free_until = search.proved();
       answer.reason = stopped;
     }
-    take_earliest(events, answer);
+    take_earliest(earliest_of_each_pair(std::move(events)), answer);
     if (answer.outcome == Outcome::overlap_at_start && answer.pair)
       answer.overlap_point = search.common_point((*answer.pair)[0]);
-    const std::uint64_t all = bodies_.rings.size();
-    answer.coverage.pairs = all;
+    answer.coverage = coverage();
     answer.coverage.tested = search.tested();
-    answer.coverage.apart = all - search.tested();
+    answer.coverage.apart -= search.tested();
+    if (!answer.coverage.is_empty()) return;
+    answer.outcome = Outcome::untested;
+    answer.reason = why_untested(answer.coverage);
+  }
+
+  /// Before any body is examined.
+  Coverage coverage() const {
+    std::set<int> all, reached;
+    for (std::size_t k = 0; k < bodies_.rings.size(); ++k) {
+      all.insert(bodies_.rings[k]->body());
+      if (bodies_.z[k].meet(mover_.z)) reached.insert(bodies_.rings[k]->body());
+    }
+    Coverage coverage;
+    coverage.pairs = all.size();
+    coverage.apart = reached.size();
+    coverage.layers = all.size() - reached.size();
+    return coverage;
   }
 
   const MapBodies& bodies_;
@@ -182,7 +203,13 @@ StaticMap::Mover StaticMap::prepare(const Body& body) const {
   if (largest_coordinate(shape) > impl_->largest)
     throw InputError(body.name, "the shape has coordinates beyond the map's reach",
                      "give the map a larger `reach`, or the shape coordinates about its own middle");
+  const std::vector<CrossSection> sections = cross_sections_of(shape);
+  if (sections.size() > 1)
+    throw InputError(
+        body.name, "the shape has parts on different layers",
+        "prepare its parts of each layer as shapes of their own; a robot can have one as a link on the other");
   const auto mover = std::make_shared<Mover::Impl>();
+  mover->z = sections[0].z;
   mover->name = body.name;
   mover->rings = std::make_shared<const RingSet>(shape, static_cast<int>(size()), impl_->prepared.exponent);
   mover->bounds = mover->rings->input_bounds();

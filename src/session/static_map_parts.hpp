@@ -21,6 +21,7 @@ struct StaticMap::Impl {
 struct StaticMap::Mover::Impl {
   std::string name;
   SharedRings rings;
+  Layers z;
   AxisBox bounds;  ///< in the user's units
   double extent = 0;
   const void* map = nullptr;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "motion/pieces.hpp"
 #include "scene/overlap_witness.hpp"
@@ -39,9 +40,9 @@ WorldSimulation::WorldSimulation(const Scene& scene, Touch touch, std::uint64_t 
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     names_.push_back(scene.bodies[i].name);
     extent_ = std::max(extent_, diagonal(bounds_of(instance_, static_cast<BodyId>(i))));
-    // Refuses features that are too fine now, rather than when the body comes near another one.
-    instance_.bodies()[i].rings->displaced(offset_for(touch));
   }
+  // Refuses features that are too fine now, rather than when the body comes near another one.
+  for (const InstanceBody& body : instance_.bodies()) body.rings->displaced(offset_for(touch));
   answer_.outcome = Outcome::free;
   note_tested();
   near_.begin(now_);
@@ -78,8 +79,8 @@ void WorldSimulation::ask_starts() {
     near_.each([this](int a, int b) { pair({a, b}).ask_start(); });
     return conclude();
   }
-  std::vector<int> all;
-  for (const InstanceBody& body : instance_.bodies()) all.push_back(body.rings->body());
+  std::vector<int> all(instance_.bodies().size());
+  std::iota(all.begin(), all.end(), 0);
   MeetingBoxes(instance_, all, instance_.start(), instance_.start()).each([&](int a, int b, bool) {
     pair({a, b}).ask_start();
   });
@@ -207,9 +208,10 @@ void WorldSimulation::note_time() {
 void WorldSimulation::conclude() {
   std::vector<PairEvent> events;
   for (const auto& [key, near] : pairs_) {
-    if (!near->open()) events.push_back({answer_of(near->result()), near->instant()});
+    if (!near->open()) events.push_back({answer_of(near->result(), instance_), near->instant()});
   }
   if (events.empty()) return;
+  events = earliest_of_each_pair(std::move(events));
   // What has been processed is free, though enclosures may begin a little before its end.
   for (PairEvent& event : events) {
     event.pair.free_until = std::max(event.pair.free_until, processed_);
@@ -220,7 +222,7 @@ void WorldSimulation::conclude() {
   take_earliest(events, answer_);
   now_ = std::max(now_, answer_.free_until);
   if (answer_.outcome != Outcome::overlap_at_start) return;
-  answer_.overlap_point = common_point(instance_.pair((*answer_.pair)[0], (*answer_.pair)[1]), instance_.start());
+  answer_.overlap_point = common_point(instance_, *answer_.pair);
 }
 
 Coverage WorldSimulation::coverage() const {

@@ -1,11 +1,20 @@
 #include "solver/earliest.hpp"
 
 #include <algorithm>
+#include <array>
+#include <functional>
+#include <map>
 
 namespace taut::internal {
 
 PairAnswer answer_of(const PairResult& result) {
   return {{result.a, result.b}, result.outcome, result.contact, result.free_until, result.reason};
+}
+
+PairAnswer answer_of(const PairResult& result, const Instance& instance) {
+  PairAnswer answer = answer_of(result);
+  answer.bodies = instance.scene_pair(result.a, result.b);
+  return answer;
 }
 
 double time_of(const PairAnswer& pair) {
@@ -40,6 +49,28 @@ std::vector<std::size_t> together(const std::vector<PairEvent>& events, const Pa
 }
 
 }  // namespace
+
+std::vector<PairEvent> earliest_of_each_pair(std::vector<PairEvent> events) {
+  const auto happens = [](const PairEvent& event) { return event.pair.outcome != Outcome::free; };
+  std::map<std::array<BodyId, 2>, std::vector<PairEvent>> by_pair;
+  for (PairEvent& event : events) by_pair[event.pair.bodies].push_back(std::move(event));
+  std::vector<PairEvent> first_ones;
+  for (auto& [bodies, own] : by_pair) {
+    if (std::any_of(own.begin(), own.end(), happens)) std::erase_if(own, std::not_fn(happens));
+    if (own.size() == 1 || !happens(own.front())) {
+      first_ones.push_back(std::move(own.front()));
+      continue;
+    }
+    Answer all;
+    take_earliest(own, all);
+    // Which root it is does not matter: only contacts that no precision orders have several.
+    const auto named = std::find_if(own.begin(), own.end(), [&](const PairEvent& event) {
+      return event.pair.outcome == all.outcome && (!all.contact || event.pair.contact->vertex == all.contact->vertex);
+    });
+    first_ones.push_back({{bodies, all.outcome, all.contact, all.free_until, all.reason}, named->instant});
+  }
+  return first_ones;
+}
 
 void take_earliest(const std::vector<PairEvent>& events, Answer& answer) {
   if (events.empty()) return;

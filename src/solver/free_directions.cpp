@@ -38,7 +38,7 @@ Vector FreeDirections::difference(const VertexDirection& d) const {
     const auto place = place_on_side<double>(d);
     return {place[0].mid, place[1].mid};
   }
-  return others_[static_cast<std::size_t>(d.other)]->vertices.at(d.to) - moving_.vertices.at(d.from);
+  return theirs(d.other).vertices.at(d.to) - own(d.other).vertices.at(d.from);
 }
 
 double FreeDirections::difference_error(const VertexDirection& d) const {
@@ -46,13 +46,13 @@ double FreeDirections::difference_error(const VertexDirection& d) const {
     const auto place = place_on_side<double>(d);
     return std::max(place[0].rad, place[1].rad);
   }
-  return others_[static_cast<std::size_t>(d.other)]->vertices.error() + moving_.vertices.error();
+  return theirs(d.other).vertices.error() + own(d.other).vertices.error();
 }
 
 template <class Real>
 std::array<Ball<Real>, 2> FreeDirections::vertex_difference(const VertexDirection& d) const {
-  const auto to = others_[static_cast<std::size_t>(d.other)]->vertices.enclosed<Real>(d.to);
-  const auto from = moving_.vertices.enclosed<Real>(d.from);
+  const auto to = theirs(d.other).vertices.enclosed<Real>(d.to);
+  const auto from = own(d.other).vertices.enclosed<Real>(d.from);
   return {to[0] - from[0], to[1] - from[1]};
 }
 
@@ -60,8 +60,9 @@ std::array<Ball<Real>, 2> FreeDirections::vertex_difference(const VertexDirectio
 VertexDirection FreeDirections::second_end(const VertexDirection& side) const {
   VertexDirection end{side.from, side.other, side.to};
   if (side.kind == VertexDirection::Kind::to_edge)
-    end.to = next_in_ring(others_[static_cast<std::size_t>(side.other)]->vertices.polygon(), side.to);
-  if (side.kind == VertexDirection::Kind::from_edge) end.from = next_in_ring(moving_.vertices.polygon(), side.from);
+    end.to = next_in_ring(theirs(side.other).vertices.polygon(), side.to);
+  if (side.kind == VertexDirection::Kind::from_edge)
+    end.from = next_in_ring(own(side.other).vertices.polygon(), side.from);
   return end;
 }
 
@@ -173,9 +174,8 @@ bool FreeDirections::before(const VertexDirection& a, const VertexDirection& b) 
 /// one side of the origin, since the edges do not meet. Nothing if the travel is too short for them to meet.
 std::optional<VertexArc> FreeDirections::arc_of(std::uint32_t edge, int other, std::uint32_t other_edge) const {
   using Kind = VertexDirection::Kind;
-  const std::uint32_t edge_end = next_in_ring(moving_.vertices.polygon(), edge);
-  const std::uint32_t other_end =
-      next_in_ring(others_[static_cast<std::size_t>(other)]->vertices.polygon(), other_edge);
+  const std::uint32_t edge_end = next_in_ring(own(other).vertices.polygon(), edge);
+  const std::uint32_t other_end = next_in_ring(theirs(other).vertices.polygon(), other_edge);
   FewDirections ends;
   for (const VertexDirection& d :
        {VertexDirection{edge, other, other_edge}, VertexDirection{edge, other, other_end},
@@ -246,11 +246,11 @@ bool FreeDirections::covered(double from, double to) const {
 }
 
 /// Are all directions from one box to the other blocked already, or out of reach? Decided by the discs around them.
-bool FreeDirections::covered(const spacetime::BoxNode& own, int other, const spacetime::BoxNode& node) const {
-  const StandingBody& there = *others_[static_cast<std::size_t>(other)];
-  const Vector way = there.vertices.place(node.box.centre) - moving_.vertices.place(own.box.centre);
+bool FreeDirections::covered(const spacetime::BoxNode& box, int other, const spacetime::BoxNode& node) const {
+  const StandingBody &here = own(other), &there = theirs(other);
+  const Vector way = there.vertices.place(node.box.centre) - here.vertices.place(box.box.centre);
   const double reach =
-      (own.box.radius + node.box.radius + moving_.vertices.error() + there.vertices.error()) * (1 + 0x1p-20);
+      (box.box.radius + node.box.radius + here.vertices.error() + there.vertices.error()) * (1 + 0x1p-20);
   const double distance = std::sqrt(dot(way, way));
   // The other box is out of reach.
   if (distance - reach > travel_ * (1 + 0x1p-20)) return true;
@@ -259,17 +259,17 @@ bool FreeDirections::covered(const spacetime::BoxNode& own, int other, const spa
   return covered(middle - half, middle + half);
 }
 
-void FreeDirections::add(const StandingBody& other) {
-  others_.push_back(&other);
-  const int index = static_cast<int>(others_.size()) - 1;
+void FreeDirections::add(const StandingBody& moving, const StandingBody& other) {
+  pairs_.push_back({&moving, &other});
+  const int index = static_cast<int>(pairs_.size()) - 1;
   sample(index);
   descend(index);
 }
 
 /// Tests some pairs from all over both bodies, so that most blocked directions are known early.
 void FreeDirections::sample(int other) {
-  const auto n = static_cast<std::uint32_t>(moving_.vertices.polygon().points.size());
-  const auto m = static_cast<std::uint32_t>(others_[static_cast<std::size_t>(other)]->vertices.polygon().points.size());
+  const auto n = static_cast<std::uint32_t>(own(other).vertices.polygon().points.size());
+  const auto m = static_cast<std::uint32_t>(theirs(other).vertices.polygon().points.size());
   const std::uint32_t count = 2 * std::max(n, m);
   for (std::uint32_t k = 0; k < count; ++k) {
     checkpoint();
@@ -279,13 +279,13 @@ void FreeDirections::sample(int other) {
 }
 
 void FreeDirections::descend(int other) {
-  const spacetime::Hierarchy &own = moving_.tree, &theirs = others_[static_cast<std::size_t>(other)]->tree;
+  const spacetime::Hierarchy &here = own(other).tree, &there = theirs(other).tree;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> stack{{0, 0}};
   while (!stack.empty()) {
     checkpoint();
     const auto [i, j] = stack.back();
     stack.pop_back();
-    const spacetime::BoxNode &a = own.node(i), &b = theirs.node(j);
+    const spacetime::BoxNode &a = here.node(i), &b = there.node(j);
     if (covered(a, other, b)) continue;
     if (a.count == 1 && b.count == 1) {
       block(a.first, other, b.first);

@@ -27,7 +27,7 @@ struct VertexDirection {
     from_edge,  ///< on the moving body's edge that starts at `from`
   };
   std::uint32_t from = 0;  ///< a vertex of the moving body
-  int other = 0;           ///< the number of the stationary body
+  int other = 0;           ///< the number of the call of add() that named both bodies
   std::uint32_t to = 0;
   Kind kind = Kind::vertices;
   bool second = false;  ///< the second of the two places on the edge
@@ -62,10 +62,10 @@ class FewDirections {
 /// disc, or places where a side leaves the disc.
 class FreeDirections {
  public:
-  FreeDirections(const StandingBody& moving, double travel) : moving_(moving), travel_(travel) {}
+  explicit FreeDirections(double travel) : travel_(travel) {}
 
-  /// Adds another stationary body.
-  void add(const StandingBody& other);
+  /// Adds another stationary body, for the moving one or for one of its cross-sections.
+  void add(const StandingBody& moving, const StandingBody& other);
   /// The free arcs, in order from the x axis; empty if all directions are blocked. Throws Undecidable.
   std::vector<VertexArc> free();
   /// Is the arc a single direction, as far as doubles show?
@@ -101,13 +101,18 @@ class FreeDirections {
   void block(std::uint32_t edge, int other, std::uint32_t other_edge);
   void cover(const VertexArc& arc);
   bool covered(double from, double to) const;
-  bool covered(const spacetime::BoxNode& own, int other, const spacetime::BoxNode& node) const;
+  bool covered(const spacetime::BoxNode& box, int other, const spacetime::BoxNode& node) const;
   void descend(int other);
   void sample(int other);
 
-  const StandingBody& moving_;
+  struct StandingPair {
+    const StandingBody *moving, *other;
+  };
+  const StandingBody& own(int pair) const { return *pairs_[static_cast<std::size_t>(pair)].moving; }
+  const StandingBody& theirs(int pair) const { return *pairs_[static_cast<std::size_t>(pair)].other; }
+
   double travel_;  ///< infinite if it is unlimited
-  std::vector<const StandingBody*> others_;
+  std::vector<StandingPair> pairs_;
   std::vector<VertexArc> arcs_;
   std::bitset<sectors> covered_;
 };

@@ -161,7 +161,7 @@ std::vector<NearTiling> KineticSolver::tilings() const {
   std::vector<NearTiling> all;
   for (std::size_t k = 0; engines_ && k < engines_->size(); ++k) {
     const PlanarMap& map = engines_->engine(k).map();
-    NearTiling tiling{{result_.a, result_.b}, engines_->is_contained(k), {}};
+    NearTiling tiling{world_.scene_pair(result_.a, result_.b), engines_->is_contained(k), {}};
     for (std::uint32_t i = 0; i < map.halfedge_count(); i += 2) {
       const HalfedgeId h(i);
       if (!map.alive(h) || map.is_polygon_edge(h)) continue;

@@ -1,6 +1,7 @@
 #include "solver/map_search.hpp"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "motion/make_segments.hpp"
@@ -47,13 +48,29 @@ BodyPair MapSearch::bodies_with(int body) const {
 }
 
 std::optional<Point> MapSearch::common_point(int body) const {
-  return internal::common_point(bodies_with(body), start_);
+  for (const auto& [section, pair] : pairs_) {
+    if (bodies_.rings[static_cast<std::size_t>(section)]->body() != body) continue;
+    if (const auto point = internal::common_point(bodies_with(section), start_)) return point;
+  }
+  return std::nullopt;
+}
+
+std::uint64_t MapSearch::tested() const {
+  std::set<int> bodies;
+  for (const auto& [section, pair] : pairs_) bodies.insert(bodies_.rings[static_cast<std::size_t>(section)]->body());
+  return bodies.size();
+}
+
+/// Those that may meet the mover in the box.
+std::vector<int> MapSearch::near(const AxisBox& box) const {
+  std::vector<int> found;
+  bodies_.boxes.find(box, found);
+  std::erase_if(found, [this](int k) { return !bodies_.z[static_cast<std::size_t>(k)].meet(mover_.z); });
+  return found;
 }
 
 bool MapSearch::start() {
-  std::vector<int> near;
-  bodies_.boxes.find(swept_box(mover_, start_, start_), near);
-  for (const int body : near) {
+  for (const int body : near(swept_box(mover_, start_, start_))) {
     SpacetimeSolver& met = pair(body);
     met.ask_start();
     if (!met.open()) stop_ = start_;
@@ -73,9 +90,7 @@ void MapSearch::cover(double from, double to, int depth) {
     cover(middle, to, depth + 1);
     return;
   }
-  std::vector<int> near;
-  bodies_.boxes.find(box, near);
-  for (const int body : near) {
+  for (const int body : near(box)) {
     if (from > stop_) return;
     SpacetimeSolver& met = pair(body);
     met.ask(from, std::min(to, stop_));

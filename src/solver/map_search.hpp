@@ -11,9 +11,11 @@
 
 namespace taut::internal {
 
-/// Bodies at rest in one scale.
+/// Bodies at rest in one scale. A body with several cross-sections is one for each of them.
 struct MapBodies {
   std::vector<SharedRings> rings;
+  std::vector<Layers> z;  ///< of each of them
+  bool layered = false;   ///< some are not on all layers
   BoxTree boxes;
   int exponent = 0;
   double extent = 0;  ///< the largest of a body, in the input's units
@@ -40,13 +42,15 @@ class MapSearch {
   void for_each_pair(const Visit& visit) const {
     for (const auto& [body, pair] : pairs_) visit(*pair);
   }
-  /// A point inside the mover and a body that it overlaps at the start.
+  /// A point inside the mover and a body of the map that it overlaps at the start.
   std::optional<Point> common_point(int body) const;
   double proved() const { return proved_; }
-  std::uint64_t tested() const { return pairs_.size(); }
+  /// How many bodies were examined.
+  std::uint64_t tested() const;
   StageCounts stages() const { return stages_of(pairs_); }
 
  private:
+  std::vector<int> near(const AxisBox& box) const;
   SpacetimeSolver& pair(int body);
   BodyPair bodies_with(int body) const;
   const SharedSegments& segments(const BodyPair& bodies);

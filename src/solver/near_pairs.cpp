@@ -18,7 +18,7 @@ std::vector<int> in_order(const std::unordered_set<int>& bodies) {
 
 void NearPairs::begin_single_pair() {
   Window whole{instance_.end(), instance_.end(), false, {}, {}, {}};
-  if (!instance_.ignored(0, 1)) add(whole, 0, 1);
+  if (!instance_.excluded(0, 1)) add(whole, 0, 1);
   stack_.clear();
   stack_.push_back(std::move(whole));
 }

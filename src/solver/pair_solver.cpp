@@ -10,9 +10,8 @@ namespace taut::internal {
 
 SpacetimeSolver::SpacetimeSolver(PairInstance search, Offset offset, double start, double end)
     : search_(std::move(search)), offset_(offset), start_(start), end_(end) {
-  const int p = search_.bodies.rings[0]->body(), q = search_.bodies.rings[1]->body();
-  result_.a = std::min(p, q);
-  result_.b = std::max(p, q);
+  result_.a = search_.a;
+  result_.b = search_.b;
   result_.free_until = end;
 }
 

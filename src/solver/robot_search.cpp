@@ -63,7 +63,7 @@ RobotSearch::RobotSearch(const MapBodies& bodies, std::vector<Link> links, Offse
   for (int p = 0; links_meet && p < n; ++p) {
     for (int q = p + 1; q < n; ++q) {
       const auto &of_p = links_[static_cast<std::size_t>(p)], &of_q = links_[static_cast<std::size_t>(q)];
-      if (of_q.parent == p) continue;
+      if (of_q.parent == p || !of_p.z.meet(of_q.z)) continue;
       LinkPair pair;
       pair.p = p;
       pair.q = q;
@@ -117,6 +117,8 @@ bool RobotSearch::find_near(std::size_t link, const Stretch& s) {
   near_.clear();
   others_.clear();
   bodies_.boxes.find(box_, near_);
+  if (bodies_.layered)
+    std::erase_if(near_, [&](int k) { return !bodies_.z[static_cast<std::size_t>(k)].meet(links_[link].z); });
   for (const int body : near_) {
     const auto at = static_cast<std::size_t>(body);
     std::unique_ptr<PairGeometry>& met = state.met[at];
@@ -129,7 +131,12 @@ bool RobotSearch::find_near(std::size_t link, const Stretch& s) {
 }
 
 RobotFinding RobotSearch::found(Outcome outcome, double lo, double hi, Names names, std::size_t other) const {
-  return {outcome, lo, hi, names.link, names.other_link < 0 ? near_[other] : -1, names.other_link};
+  return {outcome,
+          lo,
+          hi,
+          names.link,
+          names.other_link < 0 ? bodies_.rings[static_cast<std::size_t>(near_[other])]->body() : -1,
+          names.other_link};
 }
 
 /// Does an edge of the link certainly cross one of the map at t, or is a vertex certainly inside? A cheap test to be
@@ -179,7 +186,8 @@ FreeCells::Cell RobotSearch::around(const LinkState& link, const spacetime::QAtP
     for (const Vector v : outline) {
       const Vector at = posed.at(v);
       const FreeCells::Cell cell = cells_.at(at.x, at.y);
-      if (cell == FreeCells::Cell::covered) return cell;
+      // Of which body is not known: it may be on another layer.
+      if (cell == FreeCells::Cell::covered) return bodies_.layered ? FreeCells::Cell::mixed : cell;
       one_free = cell == FreeCells::Cell::free;
       if (one_free) break;
     }

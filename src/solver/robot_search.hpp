@@ -24,6 +24,7 @@ class RobotSearch {
  public:
   struct Link {
     SharedRings rings;
+    Layers z = {};
     int parent = -1;
   };
   /// `bodies` must outlive the search. Throws InputError if a feature is finer than the displacement.

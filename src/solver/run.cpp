@@ -89,7 +89,7 @@ void Run::conclude() {
   }
   take_earliest(events, answer_);
   if (answer_.outcome == Outcome::overlap_at_start && answer_.pair)
-    answer_.overlap_point = common_point(instance_->pair((*answer_.pair)[0], (*answer_.pair)[1]), scene_.start);
+    answer_.overlap_point = common_point(*instance_, *answer_.pair);
   name_engine();
   if (answer_.outcome == Outcome::undecided && scene_.bodies.size() == 2) answer_.pair = {0, 1};
 }
@@ -100,10 +100,10 @@ std::vector<PairEvent> Run::pairs() const {
   if (!search_) return pairs;
   search_->for_each_pair([&](const PairSolver& pair) {
     const PairResult* other = pair.other();
-    const PairAnswer answer = answer_of(pair.result());
-    pairs.push_back({other ? agreed_pair(answer, answer_of(*other)) : answer, pair.instant()});
+    const PairAnswer answer = answer_of(pair.result(), *instance_);
+    pairs.push_back({other ? agreed_pair(answer, answer_of(*other, *instance_)) : answer, pair.instant()});
   });
-  return pairs;
+  return earliest_of_each_pair(std::move(pairs));
 }
 
 /// Names the engine of the answer: if several engines solved pairs, that of the named pair. A free answer combines all
@@ -119,7 +119,7 @@ void Run::name_engine() {
     for (const PairResult* known : {&r, pair.other()}) {
       if (known && known->outcome == Outcome::undecided) answer_.compared = false;
     }
-    const bool counts_here = !answer_.pair || *answer_.pair == std::array<int, 2>{r.a, r.b};
+    const bool counts_here = !answer_.pair || *answer_.pair == instance_->scene_pair(r.a, r.b);
     if (counts_here && r.engine == EngineName::kinetic) answer_.engine = EngineName::kinetic;
   });
   // The spacetime engine has neither events nor certificates, even if the other one was tried.

@@ -182,17 +182,52 @@ class Body:
         return [self.index, ring.part, ring.ring, a if (a + 1) % n == b else b]
 
 
+everywhere = (-math.inf, math.inf)
+
+
+def layers_of(body):
+    """The layers of each of its parts."""
+    def ends(z):
+        return tuple(float(end if end is not None else other) for end, other in zip(z, everywhere))
+
+    own = ends(body["z"]) if "z" in body else everywhere
+    parts = body["parts"] if "parts" in body else [body["polygon"]]
+    given = [part.get("z") if isinstance(part, dict) else None for part in parts]
+    return [own if z is None else ends(z) for z in given]
+
+
+def sections_of(layers):
+    """From the lowest height up, (interval, parts): what a body is there."""
+    heights = sorted({end for z in layers for end in z})
+    sections = []
+    for lo, hi in zip(heights, heights[1:]):
+        parts = {k for k, z in enumerate(layers) if z[0] <= lo and hi <= z[1]}
+        if sections and sections[-1][1] == parts and sections[-1][0][1] == lo:
+            sections[-1] = ((sections[-1][0][0], hi), parts)
+        elif parts:
+            sections.append(((lo, hi), parts))
+    return sections
+
+
 class Scene:
     def __init__(self, json):
         self.start, self.end = (float(t) for t in json["time"])
         self.bodies, self.own, self.chains = [], [], []
         given = [self._rings(body) for body in json["bodies"]]
+        self.layers = [layers_of(body) for body in json["bodies"]]
         largest = max(abs(c) for rings in given for ring, hole, _, _ in rings if not hole for v in ring for c in v)
         self.exponent = -math.frexp(largest)[1]
+        above = []
         for k, rings in enumerate(given):
-            self.bodies.append(Body([Ring(r[0], self.exponent, *r[1:]) for r in rings], k))
+            sections = sections_of(self.layers[k])
+            for z, parts in sections:
+                body = Body([Ring(r[0], self.exponent, *r[1:]) for r in rings if r[2] in parts], k)
+                body.in_scene, body.z = k, z
+                (self.bodies if z is sections[0][0] else above).append(body)
             self.own.append(made_between(Piece, given_pieces(compiled(json["bodies"][k].get("motion"), self.start, self.end)),
                                           self.start, self.end))
+        self.in_scene = len(self.bodies)
+        self.bodies += above
         self.at_rest_tested = json.get("at_rest") == "test"
         self._find_ignored(json)
         self.hashed = self._hashed(json, given)
@@ -213,11 +248,11 @@ class Scene:
         self.names = {}
         for k, body in enumerate(json["bodies"]):
             self.names.setdefault(body["name"], k)
-        self.ignored_by_all = [False] * len(self.bodies)
+        self.ignored_by_all = [False] * self.in_scene
         self.ignored = set()
         for a, b in json.get("ignore", []):
             if a == b == "*":
-                self.ignored_by_all = [True] * len(self.bodies)
+                self.ignored_by_all = [True] * self.in_scene
             elif "*" in (a, b):
                 self.ignored_by_all[self.names[b if a == "*" else a]] = True
             elif self.names[a] != self.names[b]:
@@ -243,6 +278,10 @@ class Scene:
         out += struct.pack("<I", len(self.ignored))
         out += b"".join(struct.pack("<II", a, b) for a, b in sorted(self.ignored))
         out += bytes([1]) if self.at_rest_tested else b""
+        if any(z != everywhere for body in self.layers for z in body):
+            out += bytes([2])
+            for body in self.layers:
+                out += struct.pack("<I", len(body)) + b"".join(number(end) for z in body for end in z)
         return out
 
     def fingerprint(self, closed):
@@ -253,7 +292,8 @@ class Scene:
         for pieces in moved:
             for piece in pieces:
                 piece.scale(self.exponent)
-        for k in range(len(self.bodies)):
+        for body in self.bodies:
+            k = body.in_scene
             chain = []
             while k >= 0:
                 if not all(piece.rests() for piece in moved[k]):
@@ -265,6 +305,11 @@ class Scene:
         self.tests_alike = self.at_rest_tested or len(listening) <= 1
 
     def asked(self, a, b):
+        (first, a_lo, a_hi), (second, b_lo, b_hi) = ((self.bodies[k].in_scene, *self.bodies[k].z) for k in (a, b))
+        if first == second or not max(a_lo, b_lo) < min(a_hi, b_hi):
+            return False
+        same = self.keys[a] == self.keys[b]
+        a, b = first, second
         if self.ignored_by_all[a] or self.ignored_by_all[b] or (min(a, b), max(a, b)) in self.ignored:
             return False
-        return self.tests_alike or self.keys[a] != self.keys[b]
+        return self.tests_alike or not same

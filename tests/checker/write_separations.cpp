@@ -12,6 +12,7 @@
 
 #include "proof/log_text.hpp"
 #include "support/large_world.hpp"
+#include "support/layered.hpp"
 #include "support/made_world.hpp"
 #include "support/random_scenes.hpp"
 #include "support/rng.hpp"
@@ -108,10 +109,10 @@ Scene swinging(Rng& rng) {
 Scene drawn_world(Rng& rng, std::uint64_t number) {
   if (number % 8 == 7) return crowd(rng);
   if (number % 8 == 5) return swinging(rng);
-  // Some with pairs at rest, too: those are tested at the start, and have entries in a log.
+  // Some with pairs at rest, too: those are tested at the start, and have entries in a log. Some on layers.
   const auto perhaps_at_rest = [&](Scene scene) {
     if (rng.chance(0.4)) scene.at_rest = AtRest::test;
-    return scene;
+    return rng.chance(0.3) ? on_layers(std::move(scene), number) : scene;
   };
   if (number % 4 == 2) return perhaps_at_rest(scene_of(large_world(number).world));
   if (number % 4 == 3) {

@@ -53,7 +53,7 @@ export interface PairAnswer {
   contact?: ContactAnswer;
 }
 
-/** Which pairs an answer is about: `pairs` is the sum of the others, the last three of which were not tested. */
+/** Which pairs an answer is about: `pairs` is the sum of the others, the last four of which were not tested. */
 export interface Coverage {
   pairs: number;
   tested: number;
@@ -61,6 +61,7 @@ export interface Coverage {
   ignored: number;
   moving_alike: number;
   at_rest: number;
+  layers: number;
 }
 
 export type Outcome = "free" | "contact" | "overlap_at_start" | "undecided" | "untested";
@@ -145,6 +146,8 @@ export interface Body {
   /** The body from whose frame the motion is seen. */
   relative_to?: string;
   motion?: Motion | Motion[] | null;
+  /** The layers that it reaches through. */
+  z?: [number | null, number | null];
 }
 
 export interface Scene {

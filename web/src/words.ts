@@ -61,7 +61,7 @@ export function clockText(t: number, scene: Scene): string {
 }
 
 /** The number of pairs about which an answer says nothing. */
-export const untested = (c: Coverage): number => c.ignored + c.moving_alike + c.at_rest;
+export const untested = (c: Coverage): number => c.ignored + c.moving_alike + c.at_rest + c.layers;
 
 export function headline(answer: Answer, running: boolean): string {
   switch (answer.outcome) {
@@ -115,7 +115,12 @@ export function coverageText(c: Coverage): string {
   if (c.pairs === 1 && untested(c) === 0) return "";
   const some = (count: number, what: string): string[] => (count > 0 ? [`${count} ${what}`] : []);
   const said = [`${c.tested} tested`, ...some(c.apart, "apart by their boxes")].join(", ");
-  const not = [...some(c.ignored, "ignored"), ...some(c.at_rest, "at rest"), ...some(c.moving_alike, "moving alike")];
+  const not = [
+    ...some(c.ignored, "ignored"),
+    ...some(c.at_rest, "at rest"),
+    ...some(c.moving_alike, "moving alike"),
+    ...some(c.layers, "on different layers"),
+  ];
   return `${c.pairs} ${c.pairs === 1 ? "pair" : "pairs"}: ${said}${not.length > 0 ? `; not tested: ${not.join(", ")}` : ""}.`;
 }
 

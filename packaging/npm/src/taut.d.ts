@@ -8,15 +8,19 @@ export type Id = string | number | boolean | null | object;
 
 /** Three points or more; the last is joined to the first. */
 export type Ring = readonly Point[];
+/** The lowest and the highest height that a shape reaches through, null for no end; it meets only what is on a common layer. */
+export type Layers = readonly [number | null, number | null];
 /** An outline, minus its holes. */
 export interface OutlineWithHoles {
   readonly outline: Ring;
   readonly holes?: readonly Ring[];
+  readonly z?: Layers;
 }
 /** The data of an SVG path, y upwards: curves. */
 export interface Path {
   readonly path: string;
   readonly "fill-rule"?: "nonzero" | "evenodd";
+  readonly z?: Layers;
 }
 export type Polygon = Ring | OutlineWithHoles | Path;
 
@@ -72,6 +76,8 @@ interface AnyBody {
   readonly relative_to?: string;
   /** At rest without it. */
   readonly motion?: Motion;
+  /** All layers without it. Parts may have layers of their own. */
+  readonly z?: Layers;
   readonly id?: Id;
 }
 export interface BodyOfPolygon extends AnyBody {
@@ -119,7 +125,7 @@ export interface Options {
   allPairs?: boolean;
 }
 
-/** Which pairs an answer is about: `pairs` is the sum of the others, the last three of which were not tested. */
+/** Which pairs an answer is about: `pairs` is the sum of the others, the last four of which were not tested. */
 export interface Coverage {
   pairs: number;
   tested: number;
@@ -128,6 +134,8 @@ export interface Coverage {
   ignored: number;
   moving_alike: number;
   at_rest: number;
+  /** The bodies have no layer in common, and never meet. */
+  layers: number;
 }
 
 /** What every answer has. */
