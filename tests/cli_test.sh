@@ -137,6 +137,15 @@ expect 2 '' '--layer: open.svg has no layer "marks"' import open.svg --layer mar
 expect 2 '' 'its layers are: cut, mark' import open.svg --layer marks
 expect 2 '' 'plate.svg:2:[0-9]+: <text> is text' import plate.svg --strict
 expect 2 '' '--by' import plate.svg --by size
+cat > keyway.svg <<'EOF'
+<svg fill="none" stroke="black"><g><circle cx="0" cy="0" r="20"/><rect x="-2" y="-30" width="4" height="20"/></g></svg>
+EOF
+expect 2 '' 'keyway.svg:1:66: the closed contour at keyway.svg:1:66 \(area 80\) crosses that at keyway.svg:1:36 \(area 1255' import keyway.svg
+expect 2 '' 'say --crossing subtract, if the smaller one is to be cut out' import keyway.svg
+expect 0 '"parts":1,"holes":0,"area":1215' '' import keyway.svg --crossing subtract --json -o keyway.json
+expect 0 '"parts":1,"holes":0,"area":1295' '' import keyway.svg --crossing union --json -o keyway.json
+expect 0 '' 'note: the closed contour at .*they divide each other into parts' import keyway.svg --crossing parts -o keyway.json
+expect 2 '' '--crossing' import keyway.svg --crossing cut
 touch plate.png plate.abc
 expect 2 '' 'plate.abc: the ending of the file' import plate.abc
 expect 2 '' 'plate.png: the file is an image' import plate.png

@@ -209,6 +209,8 @@ EMSCRIPTEN_KEEPALIVE const char* taut_read_drawing(const char* text, const char*
   return answered([&](Scene& scene) {
     drawing::ImportSettings settings;
     settings.open = static_cast<drawing::OpenRings>(open);
+    // The page shows the notes of the report.
+    settings.crossing = drawing::Crossing::parts;
     const drawing::Import import = drawing::examine_drawings({drawing::read_drawing(text, name, settings)}, settings);
     if (import.faults.empty()) {
       scene = import.scene;

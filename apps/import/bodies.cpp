@@ -49,7 +49,8 @@ void require_known(const Drawing& drawing, const std::vector<std::string>& names
 
 OutlineSettings BodyMaker::outline_settings() const {
   const Fineness& fineness = file_.fineness;
-  return {fineness.join, fineness.repair, settings_.open == OpenRings::close, 4 * settings_.max_points, file_.file};
+  return {fineness.join,      fineness.repair,          settings_.open == OpenRings::close,
+          settings_.crossing, 4 * settings_.max_points, file_.file};
 }
 
 void BodyMaker::add(Drawing drawing) {

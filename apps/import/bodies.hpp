@@ -53,6 +53,7 @@ class BodyMaker {
   void read_sheet(const Layer& layer, Sheet& sheet, std::vector<Named>& parts);
   void read_parts(const Layer& layer, Sheet& sheet, std::vector<Named>& parts);
   void take_report(const Outlines& outlines, const std::vector<Chain>& chains, const std::vector<std::string>& layers);
+  void take_crossed(const Outlines& outlines, const std::vector<Chain>& chains);
   void fail_open(const Outlines& outlines, const Closure& closure, const std::vector<Chain>& chains);
   static double joinable_distance(const Outlines& outlines, const std::vector<Chain>& chains);
   void note_holes(const Outlines& outlines, const std::vector<std::string>& layers);

@@ -38,21 +38,22 @@ class ContourFinder {
     found_.rings.push_back(std::move(ring));
   }
 
-  /// Of open strands: 2s is the start of strand s, 2s + 1 its end. Of those that run along the same edges, one counts.
+  /// Of open strands: 2s is the start of strand s, 2s + 1 its end. Of strands that run along the same edges, one
+  /// counts.
   void gather_ends() {
     std::set<std::vector<int>> known;
     for (std::size_t s = 0; s < walks_.size(); ++s) {
       const std::vector<int>& walk = walks_[s];
       if (walk.empty()) continue;
-      if (node_at(2 * s) == node_at(2 * s + 1)) {
-        add(walk);
-        continue;
-      }
       if (graph_.edge(walk.front()).times > 1) {
         std::vector<int> edges;
         for (const int h : walk) edges.push_back(h / 2);
         std::sort(edges.begin(), edges.end());
         if (!known.insert(edges).second) continue;
+      }
+      if (node_at(2 * s) == node_at(2 * s + 1)) {
+        add(walk);
+        continue;
       }
       for (const std::size_t end : {2 * s, 2 * s + 1}) ends_[node_at(end)].push_back(end);
     }

@@ -23,6 +23,14 @@ enum class Grouping {
 /// What becomes of lines that stay open although they seem meant to be closed.
 enum class OpenRings { error, close, skip };
 
+/// What becomes of closed contours around material, drawn as lines, that cross each other.
+enum class Crossing {
+  error,
+  parts,    ///< they divide what they enclose
+  unite,    ///< they are one part
+  subtract  ///< those that have a part in a larger one are taken out of it, and no material
+};
+
 /// How the user wants drawings read. Lengths are in units of the scene. Those that are not given follow from the
 /// drawing's unit and size, see fineness_of().
 struct ImportSettings {
@@ -35,6 +43,7 @@ struct ImportSettings {
   bool split = false;   ///< a body for each part
   Grouping by = Grouping::automatic;
   OpenRings open = OpenRings::error;
+  Crossing crossing = Crossing::error;
   bool strict = false;                ///< what is not read is an error
   std::vector<std::string> layers;    ///< only these, if there are any
   std::vector<std::string> merged;    ///< these layers are one

@@ -9,6 +9,7 @@
 
 #include "geometry/predicates.hpp"
 #include "geometry/touching_rings.hpp"
+#include "import/crossing_contours.hpp"
 
 namespace taut::drawing {
 using namespace internal;
@@ -30,80 +31,16 @@ std::vector<SubdivisionEdge> ends_of(const LineGraph& graph, const std::vector<i
   return ends;
 }
 
-/// Half-edges by the face on their left.
-std::vector<std::vector<int>> boundaries_of(const Subdivision& map) {
-  std::vector<std::vector<int>> all(slot(map.faces()));
-  for (int h = 0; h < map.half_edges(); ++h) all[slot(map.face(h))].push_back(h);
-  return all;
-}
-
-/// Which faces of contours lie between them, and within none.
-class SurroundedCells {
- public:
-  SurroundedCells() = default;
-  SurroundedCells(const LineGraph& graph, const Contours& contours, const std::vector<int>& block,
-                  const FaceMap& cells) {
-    // A block whose nodes all have two edges is one contour: between contours is nothing.
-    const Incidence incidence(graph, contours.edges);
-    std::set<int> tangled;
-    for (int node = 0; node < static_cast<int>(graph.nodes.size()); ++node)
-      if (incidence.degree(node) > 2)
-        for (const int* h = incidence.begin(node); h != incidence.end(node); ++h) tangled.insert(block[slot(*h / 2)]);
-    if (tangled.empty()) return;
-    std::vector<std::map<int, int>> winding(graph.edges.size());  // of rings along each edge
-    blocks_.resize(contours.rings.size());
-    for (std::size_t r = 0; r < contours.rings.size(); ++r) {
-      for (const int h : contours.rings[r]) {
-        if (!tangled.count(block[slot(h / 2)])) continue;
-        winding[slot(h / 2)][static_cast<int>(r)] += h % 2 == 0 ? 1 : -1;
-        blocks_[r].insert(block[slot(h / 2)]);
-      }
-    }
-    go_around(cells, winding);
-    tangled_ = std::move(tangled);
-  }
-
-  /// Is the cell, at an edge of the block, within none of the block's contours?
-  bool between(int block, int cell) const {
-    if (!tangled_.count(block)) return false;
-    const auto& rings = rings_[slot(cell)];
-    return std::none_of(rings.begin(), rings.end(),
-                        [&](const auto& ring) { return blocks_[slot(ring.first)].count(block) != 0; });
-  }
-
- private:
-  /// How often each ring goes around each cell, from the unbounded one.
-  void go_around(const FaceMap& cells, const std::vector<std::map<int, int>>& winding) {
-    const Subdivision& map = cells.map;
-    const std::vector<std::vector<int>> boundaries = boundaries_of(map);
-    std::vector<bool> seen(slot(map.faces()), false);
-    std::vector<int> queue{0};
-    seen[0] = true;
-    rings_.resize(slot(map.faces()));
-    for (std::size_t i = 0; i < queue.size(); ++i) {
-      for (const int h : boundaries[slot(queue[i])]) {
-        const int there = map.face(h ^ 1);
-        if (seen[slot(there)]) continue;
-        seen[slot(there)] = true;
-        queue.push_back(there);
-        std::map<int, int>& rings = rings_[slot(there)] = rings_[slot(queue[i])];
-        // What lies to the left of a line has one turn more.
-        for (const auto& [ring, turns] : winding[slot(cells.edge(h))]) rings[ring] += h % 2 == 0 ? -turns : turns;
-        std::erase_if(rings, [](const auto& entry) { return entry.second == 0; });
-      }
-    }
-  }
-
-  std::set<int> tangled_;                  ///< blocks of several contours, or of one that meets itself
-  std::vector<std::set<int>> blocks_;      ///< of each ring
-  std::vector<std::map<int, int>> rings_;  ///< of each cell: how often rings go around it, where that is not 0
-};
-
 /// Goes from face to face, from the unbounded one.
 class LineKeys {
  public:
-  LineKeys(const LineGraph& graph, const std::vector<bool>& alive, const Contours& all, const FaceMap& faces)
-      : contour_(all.edges), faces_(faces), block_(blocks_of(graph, alive)), label_(slot(faces.map.faces()), unknown) {
+  LineKeys(const LineGraph& graph, const std::vector<bool>& alive, const Contours& all, const FaceMap& faces,
+           Crossing crossing)
+      : contour_(all.edges),
+        faces_(faces),
+        crossing_(crossing),
+        block_(blocks_of(graph, alive)),
+        label_(slot(faces.map.faces()), unknown) {
     std::vector<bool> contours(alive.size());
     for (std::size_t e = 0; e < alive.size(); ++e) contours[e] = alive[e] && contour_[e];
     contour_block_ = contours == alive ? block_ : blocks_of(graph, contours);
@@ -111,7 +48,7 @@ class LineKeys {
     const auto other = contours == alive ? std::nullopt : std::optional<FaceMap>(std::in_place, graph, contours);
     const FaceMap& cells = other ? *other : faces;
     find_cells(cells);
-    surrounded_ = SurroundedCells(graph, all, contour_block_, cells);
+    crossing_contours_ = CrossingContours(graph, all, contour_block_, cells);
     const std::size_t blocks = graph.edges.size();
     for (auto* labels : {&block_label_, &contour_label_}) labels->assign(blocks, unknown);
     outer_cell_.assign(blocks, unknown);
@@ -134,7 +71,18 @@ class LineKeys {
     }
     FaceKeys keys;
     for (std::size_t f = 0; f < label_.size(); ++f) keys.push_back(label_[f] == 1 ? static_cast<int>(f) + 1 : 0);
+    if (crossing_ == Crossing::unite) unite(keys);
     return keys;
+  }
+
+  /// Of contours around material, and of those that are holes.
+  std::vector<ContourCrossing> crossings() const {
+    std::vector<ContourCrossing> all;
+    for (auto [block, crossing] : crossing_contours_.crossings()) {
+      crossing.hole = contour_label_[slot(block)] != 1;
+      all.push_back(crossing);
+    }
+    return all;
   }
 
  private:
@@ -179,13 +127,26 @@ class LineKeys {
     if (outer == unknown) outer = cell_[slot(here)];
     // Out of the block again, to a place that other lines have cut off.
     if (cell_[slot(there)] == outer) return unknown;
-    const int within = opposite(contour_label_[slot(block)]);
-    return surrounded_.between(block, cell_[slot(there)]) ? 1 - within : within;
+    const int within = opposite(contour_label_[slot(block)]), cell = cell_[slot(there)];
+    const bool taken_out = within == 1 && crossing_ == Crossing::subtract && crossing_contours_.in_smaller(block, cell);
+    return taken_out || crossing_contours_.between(block, cell) ? 1 - within : within;
+  }
+
+  /// Faces on both sides of a contour, in contours that cross each other, are one piece.
+  void unite(FaceKeys& keys) const {
+    std::map<std::pair<int, int>, int> first;  // of blocks and sets of contours: the key of a face
+    for (int h = 0; h < faces_.map.half_edges(); ++h) {
+      const int face = faces_.map.face(h), block = contour_block_[slot(faces_.edge(h))];
+      if (block < 0 || label_[slot(face)] != 1) continue;
+      const int set = crossing_contours_.united(block, cell_[slot(face)]);
+      if (set >= 0) keys[slot(face)] = first.try_emplace({block, set}, keys[slot(face)]).first->second;
+    }
   }
 
   const std::vector<bool>& contour_;
   const FaceMap& faces_;
-  SurroundedCells surrounded_;
+  const Crossing crossing_;
+  CrossingContours crossing_contours_;
   std::vector<int> block_, contour_block_;  ///< of all edges, and of contours alone
   std::vector<int> label_, cell_;           ///< of faces
   std::vector<int> block_label_, contour_label_, outer_cell_;
@@ -286,9 +247,17 @@ class RegionTracer {
 FaceMap::FaceMap(const LineGraph& graph, const std::vector<bool>& alive)
     : edges(indices_of(alive)), map(graph.nodes, ends_of(graph, edges)) {}
 
-FaceKeys keys_of_lines(const LineGraph& graph, const std::vector<bool>& alive, const Contours& contours,
-                       const FaceMap& faces) {
-  return LineKeys(graph, alive, contours, faces).keys();
+LineFaces faces_of_lines(const LineGraph& graph, const std::vector<bool>& alive, const Contours& contours,
+                         const FaceMap& faces, Crossing crossing) {
+  LineKeys keys(graph, alive, contours, faces, crossing);
+  FaceKeys all = keys.keys();
+  return {std::move(all), keys.crossings()};
+}
+
+std::vector<std::vector<int>> boundaries_of(const Subdivision& map) {
+  std::vector<std::vector<int>> all(slot(map.faces()));
+  for (int h = 0; h < map.half_edges(); ++h) all[slot(map.face(h))].push_back(h);
+  return all;
 }
 
 std::vector<Turns> turns_around(const LineGraph& graph, const FaceMap& faces) {

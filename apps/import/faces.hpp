@@ -25,13 +25,8 @@ struct FaceMap {
 /// have an edge in common.
 using FaceKeys = std::vector<int>;
 
-/// Of lines: what a block of closed contours encloses differs from what surrounds the block, so that contours in each
-/// other are outlines, holes and islands in turn. All faces that a contour of the block goes around are alike: contours
-/// that cross, or have edges in common, divide material into parts, or are one hole. Faces between them that no contour
-/// goes around are like what surrounds the block. Other lines only divide; outside of all contours, what they enclose
-/// is material. Each face of material has a number of its own.
-FaceKeys keys_of_lines(const LineGraph& graph, const std::vector<bool>& alive, const Contours& contours,
-                       const FaceMap& faces);
+/// Half-edges by the face on their left.
+std::vector<std::vector<int>> boundaries_of(const Subdivision& map);
 
 /// How contours go around a face.
 struct Turns {

@@ -12,7 +12,8 @@ namespace taut::drawing {
 struct LineLayer {
   std::size_t layer = 0;  ///< index in the drawing
   std::vector<Chain> chains;
-  std::string name = {};  ///< of what they are, within the layer
+  std::string name = {};   ///< of what they are, within the layer
+  std::string place = {};  ///< of the first one
 };
 
 /// Two layers whose lines cross, or run along each other, or touch at several points.

@@ -67,6 +67,8 @@ void BodyMaker::read_lines(Drawing& drawing) {
     }
     if (!layer.chains.empty()) lines.push_back(std::move(layer));
   }
+  for (LineLayer& layer : lines)
+    if (!layer.chains.empty()) layer.place = layer.chains.front().place;
   note_coarse_join(lines);
   LayerPlan plan;
   const OutlineSettings settings = outline_settings();
@@ -150,7 +152,9 @@ void BodyMaker::note_coarse_join(const std::vector<LineLayer>& lines) {
 
 void BodyMaker::note_conflicts(const Drawing& drawing, const std::vector<LineLayer>& lines, const LayerPlan& plan) {
   const auto name = [&](std::size_t set) {
-    return layer_title(drawing.layers[lines[plan.sets[set].front()].layer].name);
+    const LineLayer& first = lines[plan.sets[set].front()];
+    const std::string& known = drawing.layers[first.layer].name;
+    return known.empty() ? "at " + first.place : io::excerpt(known);
   };
   using Kind = LayerConflict::Kind;
   for (const Kind kind : {Kind::cross, Kind::along, Kind::touch}) {
@@ -163,8 +167,10 @@ void BodyMaker::note_conflicts(const Drawing& drawing, const std::vector<LineLay
         count > 1 ? fmt::format(", and {} do", counted_text(count - 1, "other pair", "other pairs")) : "";
     file_.notes.push_back(
         kind == Kind::cross
-            ? fmt::format("layers {} and {} cross near {}{}: layers that cross are different bodies",
-                          name(first->first), name(first->second), point_text(first->at), others)
+            ? fmt::format(
+                  "layers {} and {} cross near {}{}: layers that cross are different bodies (--merge-layers reads "
+                  "them as one)",
+                  name(first->first), name(first->second), point_text(first->at), others)
             : fmt::format(
                   "layers {} and {} {} near {}{}: each layer is read by itself (--merge-layers reads them as one)",
                   name(first->first), name(first->second),
@@ -251,9 +257,12 @@ void BodyMaker::take_report(const Outlines& outlines, const std::vector<Chain>& 
   for (const std::size_t k : outlines.idle)
     skip(chains[k].place, "line", "divides nothing: on both of its sides is the same", layers[k]);
   if (outlines.cuts > 0)
-    file_.notes.push_back(fmt::format("parts share cuts, {}, the first one at {}: the areas between cuts are parts",
-                                      counted_text(outlines.cuts, "segment", "segments"),
-                                      point_text(outlines.first_cut)));
+    file_.notes.push_back(fmt::format(
+        "parts share cuts, {}, the first one at {}: the areas between cuts are parts, the smallest one {:.6g} (if it "
+        "is "
+        "waste, trim the lines around it)",
+        counted_text(outlines.cuts, "segment", "segments"), point_text(outlines.first_cut), outlines.smallest_cut));
+  take_crossed(outlines, chains);
   if (settings_.open == OpenRings::skip) return;
   for (const Closure& closure : outlines.suspicious) fail_open(outlines, closure, chains);
 }

@@ -53,7 +53,9 @@ class OutlineMaker {
     if (!any_alive()) return std::move(out_);
     const Contours contours = contours_of(graph_, alive_);
     find_crossings(contours);
-    finish(faces, keys_of_lines(graph_, alive_, contours, faces));
+    LineFaces material = faces_of_lines(graph_, alive_, contours, faces, settings_.crossing);
+    out_.crossed = std::move(material.crossings);
+    finish(faces, material.keys);
     return std::move(out_);
   }
 
@@ -258,13 +260,7 @@ class OutlineMaker {
       for (const int e : region.holes)
         out_.hole_sources.back().push_back(graph_.edges[static_cast<std::size_t>(e)].source);
     }
-    std::vector<bool> bounds(graph_.edges.size(), false);
-    for (int h = 0; h < faces.map.half_edges(); ++h) {
-      const auto key = [&](int g) { return keys[static_cast<std::size_t>(faces.map.face(g))]; };
-      if (key(h) != key(h ^ 1)) bounds[static_cast<std::size_t>(faces.edge(h))] = true;
-      if (h % 2 == 0 && key(h) != 0 && key(h ^ 1) != 0 && key(h) != key(h ^ 1) && out_.cuts++ == 0)
-        out_.first_cut = faces.map.point(faces.map.origin(h));
-    }
+    const std::vector<bool> bounds = find_boundaries(faces, keys);
     for (std::size_t s = 0; s < graph_.walks.size(); ++s) {
       const std::vector<int>& walk = graph_.walks[s];
       const auto in = [](const std::vector<bool>& set) {
@@ -275,6 +271,24 @@ class OutlineMaker {
       else if (std::none_of(walk.begin(), walk.end(), in(bounds)))
         out_.idle.push_back(strands_[s].source);
     }
+  }
+
+  /// The edges between what has different keys; those with a part on either side are cuts.
+  std::vector<bool> find_boundaries(const FaceMap& faces, const FaceKeys& keys) {
+    std::vector<bool> bounds(graph_.edges.size(), false);
+    const std::vector<double> areas = areas_of_faces(faces);
+    std::map<int, double> area_of_key;
+    for (std::size_t f = 0; f < keys.size(); ++f) area_of_key[keys[f]] += areas[f];
+    const auto key = [&](int h) { return keys[static_cast<std::size_t>(faces.map.face(h))]; };
+    for (int h = 0; h < faces.map.half_edges(); ++h) {
+      if (key(h) == key(h ^ 1)) continue;
+      bounds[static_cast<std::size_t>(faces.edge(h))] = true;
+      if (h % 2 != 0 || key(h) == 0 || key(h ^ 1) == 0) continue;
+      const double least = std::min(area_of_key[key(h)], area_of_key[key(h ^ 1)]);
+      if (out_.cuts++ == 0) out_.first_cut = faces.map.point(faces.map.origin(h));
+      out_.smallest_cut = out_.cuts == 1 ? least : std::min(out_.smallest_cut, least);
+    }
+    return bounds;
   }
 
   /// A ring that is one chain has its vertices in the order of the chain.
@@ -317,7 +331,7 @@ bool encloses_area(const Chain& chain, Fill fill, std::size_t most_cuts, const s
   constexpr double rounding = 1e-9;
   if (std::fabs(doubled_area(chain.points)) > rounding * around * around) return true;
   // Thin, or with as much on one side as on the other one.
-  return !outlines_of_fill({chain}, fill, {0, 0, false, most_cuts, file}).regions.empty();
+  return !outlines_of_fill({chain}, fill, {0, 0, false, Crossing::parts, most_cuts, file}).regions.empty();
 }
 
 Outlines outlines_of_repair(const std::vector<Chain>& rings, const OutlineSettings& settings) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "import/crossing_contours.hpp"
 #include "import/drawing.hpp"
 #include "import/faces.hpp"
 #include "import/gaps.hpp"
@@ -27,11 +28,13 @@ struct Outlines {
       closed;  ///< rings that were closed by straight lines, and a chain of each
   std::vector<Repair> repairs;
   std::vector<std::pair<Point, std::size_t>> crossings;  ///< where a contour meets itself, and a chain of it
+  std::vector<ContourCrossing> crossed;                  ///< contours that cross each other
   std::vector<std::size_t> empty;                        ///< chains that are on no ring
   std::vector<std::size_t> idle;  ///< chains that bound nothing: on both of their sides is the same
   std::size_t repeated = 0;       ///< edges that were drawn more than once, counted as often as they were too many
   std::size_t cuts = 0;           ///< edges with a part on either side
   Point first_cut;
+  double smallest_cut = 0;  ///< the least area of a part at a cut
 };
 
 /// How lines are put together, in units of the scene.
@@ -39,6 +42,7 @@ struct OutlineSettings {
   double join = 0;     ///< ends so near to each other, or to a line, meet
   double repair = 0;   ///< loops up to this size are cut off
   bool close = false;  ///< lines that stay open are closed by straight lines
+  Crossing crossing = Crossing::error;
   std::size_t most_cuts = 0;
   std::string file;
 };

@@ -119,6 +119,14 @@ void add_reading_options(const Command& command, drawing::ImportSettings& settin
                                                  {"close", drawing::OpenRings::close},
                                                  {"skip", drawing::OpenRings::skip}}),
       "what becomes of outlines that stay open, and of shapes that are not read and may\nbound a body (error)");
+  command.add_choice(
+      "--crossing", {"error", "subtract", "union", "parts"},
+      choose<drawing::Crossing>(settings.crossing, {{"error", drawing::Crossing::error},
+                                                    {"subtract", drawing::Crossing::subtract},
+                                                    {"union", drawing::Crossing::unite},
+                                                    {"parts", drawing::Crossing::parts}}),
+      "what becomes of closed contours that cross: the smaller is taken out of the larger,\nboth are one part, or they "
+      "divide each other (error)");
 }
 
 /// What becomes a body.

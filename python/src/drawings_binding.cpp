@@ -16,6 +16,7 @@
 namespace taut_python {
 namespace {
 
+using taut::drawing::Crossing;
 using taut::drawing::Grouping;
 using taut::drawing::ImportSettings;
 using taut::drawing::OpenRings;
@@ -59,8 +60,15 @@ void bind_drawings(pybind11::module_& module) {
       .def_readwrite("drills", &ImportSettings::drills)
       .def_readwrite("unknown_free", &ImportSettings::unknown_free)
       .def("group_by", [](ImportSettings& s, const std::string& word) { s.by = grouping_of(word); })
-      .def("leave_open", [](ImportSettings& s, const std::string& word) {
-        s.open = word == "close" ? OpenRings::close : word == "skip" ? OpenRings::skip : OpenRings::error;
+      .def("leave_open",
+           [](ImportSettings& s, const std::string& word) {
+             s.open = word == "close" ? OpenRings::close : word == "skip" ? OpenRings::skip : OpenRings::error;
+           })
+      .def("cross", [](ImportSettings& s, const std::string& word) {
+        s.crossing = word == "subtract" ? Crossing::subtract
+                     : word == "union"  ? Crossing::unite
+                     : word == "parts"  ? Crossing::parts
+                                        : Crossing::error;
       });
   module.def("read_drawings", &read_drawings);
 }

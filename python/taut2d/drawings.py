@@ -11,7 +11,7 @@ from . import _taut2d
 from ._numbers import number
 from .errors import InputError
 from .scene import Scene
-from .words import Faults, Grouping, LengthUnit, OpenLines, RepairKind
+from .words import Crossing, Faults, Grouping, LengthUnit, OpenLines, RepairKind
 
 __all__ = ["Drawing", "DrawingBody", "DrawingFile", "Gap", "OpenLine", "Repair", "Skipped", "read_drawing"]
 
@@ -187,7 +187,8 @@ def read_drawing(path: Union[str, os.PathLike[str], Sequence[Union[str, os.PathL
                  open: OpenLines = "error", by: Grouping = "auto", layers: Sequence[str] = (),
                  merge_layers: Union[bool, Sequence[str]] = (), scale: float = 1.0, curves: bool = False,
                  split: bool = False, drills: Optional[float] = None, unknown_free: bool = False, strict: bool = False,
-                 faults: Faults = "raise", unit: Optional[LengthUnit] = None) -> Drawing:
+                 faults: Faults = "raise", unit: Optional[LengthUnit] = None,
+                 crossing: Crossing = "error") -> Drawing:
     """A scene of SVG and DXF drawings, of boards of KiCad, WKT and GeoJSON files, and maps of map_server; bodies rest.
 
     ``path``: one file, or several ones; their endings say what they are.
@@ -204,6 +205,8 @@ def read_drawing(path: Union[str, os.PathLike[str], Sequence[Union[str, os.PathL
     robot's map does not know is no obstacle. ``strict``: what is not read is an error.
     ``unit``: what a drawing is in that does not say so: "mm", "cm", "m", "um", "in", "ft", "mil", "pt" or "px". Several
     files are converted to the unit of the first one.
+    ``crossing``: closed contours around material that cross each other are an "error", or all are one part ("union"),
+    or the smaller is taken out of the larger ("subtract"), or they divide each other into "parts".
     ``faults``: "raise": the first fault is raised; "report": the result has them, and no scene.
 
     Raises InputError with file, line and remedy where a file cannot be read, and for faults: outlines that stay open,
@@ -224,6 +227,7 @@ def read_drawing(path: Union[str, os.PathLike[str], Sequence[Union[str, os.PathL
     settings.merged = [] if isinstance(merge_layers, bool) else list(merge_layers)
     settings.group_by(_word(by, "by", ("auto", "layer", "color", "group", "nesting")))
     settings.leave_open(_word(open, "open", ("error", "close", "skip")))
+    settings.cross(_word(crossing, "crossing", ("error", "subtract", "union", "parts")))
     _word(faults, "faults", ("raise", "report"))
     paths = [path] if isinstance(path, (str, os.PathLike)) else list(path)
     drawing = _drawing(*_taut2d.read_drawings([os.fspath(p) for p in paths], settings))

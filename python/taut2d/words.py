@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Literal
 
-__all__ = ["AtRest", "CellState", "ContactAt", "Engine", "EngineName", "FaceKind", "Faults", "FillRule", "Grouping",
-           "LengthUnit", "OpenLines", "OutcomeWord", "Pairs", "QuestionOutcome", "RangeOutcome", "RepairKind",
-           "SeparationOutcome", "Side", "SimulationState", "Touch", "VerifiedOutcome"]
+__all__ = ["AtRest", "CellState", "ContactAt", "Crossing", "Engine", "EngineName", "FaceKind", "Faults", "FillRule",
+           "Grouping", "LengthUnit", "OpenLines", "OutcomeWord", "Pairs", "QuestionOutcome", "RangeOutcome",
+           "RepairKind", "SeparationOutcome", "Side", "SimulationState", "Touch", "VerifiedOutcome"]
 
 # What functions take.
 Touch = Literal["open", "closed"]
@@ -15,6 +15,7 @@ Pairs = Literal["first", "all"]
 AtRest = Literal["skip", "test"]
 FillRule = Literal["nonzero", "evenodd"]
 Side = Literal["outer", "inner"]
+Crossing = Literal["error", "subtract", "union", "parts"]
 OpenLines = Literal["error", "close", "skip"]
 Grouping = Literal["auto", "layer", "color", "group", "nesting"]
 Faults = Literal["raise", "report"]

@@ -51,9 +51,15 @@ def test_layers_and_words(tmp_path):
     assert taut2d.read_drawing(file, layers=["b"]).area == pytest.approx(4)
     assert len(taut2d.read_drawing(file, merge_layers=True).bodies) == 1
     assert len(taut2d.read_drawing(file, merge_layers=["a", "b"], split=True).bodies) == 1
-    for wrong in ({"by": "size"}, {"open": "maybe"}, {"join": -1}, {"tolerance": 0}, {"layers": ["c"]}, {"faults": "x"}):
+    for wrong in ({"by": "size"}, {"open": "maybe"}, {"join": -1}, {"tolerance": 0}, {"layers": ["c"]}, {"faults": "x"},
+                  {"crossing": "cut"}):
         with pytest.raises(InputError):
             taut2d.read_drawing(file, **wrong)
+    file.write_text('<svg fill="none" stroke="black"><rect width="9" height="9"/><rect x="7" y="2" width="4" height="2"/></svg>')
+    with pytest.raises(InputError, match="is it a cut, or a part"):
+        taut2d.read_drawing(file)
+    for crossing, area in (("subtract", 77), ("union", 85), ("parts", 85)):
+        assert taut2d.read_drawing(file, crossing=crossing).area == pytest.approx(area)
     with pytest.raises(InputError, match="missing.svg"):
         taut2d.read_drawing(tmp_path / "missing.svg")
 

@@ -257,5 +257,13 @@ TEST(ImportLayers, MarksChangeNothing) {
   EXPECT_FALSE(read(sides).faults.empty());
 }
 
+TEST(ImportLayers, WithoutANameAreCalledByTheirPlaces) {
+  const Import import = examine(
+      "<svg fill='none' stroke='red'><circle r='20'/>\n<rect x='-2' y='-30' width='4' height='20'/></svg>", "d.svg");
+  ASSERT_EQ(import.files[0].notes.size(), 1u);
+  EXPECT_NE(import.files[0].notes[0].find("layers at d.svg:1:31 and at d.svg:2:1 cross near"), std::string::npos)
+      << import.files[0].notes[0];
+}
+
 }  // namespace
 }  // namespace taut

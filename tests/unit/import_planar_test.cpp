@@ -102,15 +102,6 @@ TEST(ImportPlanar, DividesAtCutsThatPartsShare) {
   EXPECT_NEAR(import.files[0].gaps[0].width, 0.01, 1e-9);
 }
 
-TEST(ImportPlanar, CutsCrossingContoursIntoTheAreasBetweenThem) {
-  DxfText cross;
-  cross.polyline({{0, 4}, {10, 4}, {10, 6}, {0, 6}}, true).polyline({{4, 0}, {6, 0}, {6, 10}, {4, 10}}, true);
-  expect_totals(examine(cross), 36, 5, 0);
-  // Within a plate they are one hole.
-  cross.box({-5, -5}, {15, 15});
-  expect_totals(examine(cross), 400 - 36, 1, 1);
-}
-
 /// Four bars that make a frame, by overlapping or by touching: its gap is in none of them.
 TEST(ImportPlanar, LeavesGapsBetweenContoursEmpty) {
   for (const double overlap : {0.0, 10.0}) {
