@@ -33,9 +33,17 @@ class ContourFinder {
   }
 
  private:
+  /// Edges along which it goes to and fro are no part of it: copies of one line that meet at both ends enclose nothing.
   void add(std::vector<int> ring) {
-    for (const int h : ring) found_.edges[static_cast<std::size_t>(h / 2)] = true;
-    found_.rings.push_back(std::move(ring));
+    std::map<int, int> passes;
+    for (const int h : ring) passes[h / 2] += h % 2 == 0 ? 1 : -1;
+    bool any = false;
+    for (const auto& [edge, times] : passes) {
+      if (times == 0) continue;
+      found_.edges[static_cast<std::size_t>(edge)] = true;
+      any = true;
+    }
+    if (any) found_.rings.push_back(std::move(ring));
   }
 
   /// Of open strands: 2s is the start of strand s, 2s + 1 its end. Of strands that run along the same edges, one

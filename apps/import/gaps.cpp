@@ -50,8 +50,28 @@ class GapCloser {
       for (std::size_t i = 0; i + 1 < walk.size(); ++i) passed_[static_cast<std::size_t>(graph.target(walk[i]))] = true;
   }
 
-  /// Ends that go a little beyond a crossing, which is a node: the one back to which to cut.
-  std::map<int, int> overshoots() const {
+  /// Ends that go a little beyond a crossing, which is a node: the one back to which to cut. A short line whose other
+  /// end meets another line does not go beyond: it leads from one to the other.
+  std::map<int, int> overshoots() {
+    std::map<int, int> found = short_ends();
+    if (found.empty()) return found;
+    find_neighbours();
+    for (const auto& [apart, p, q] : pairs_) {
+      for (const auto& [end, other] : {std::pair(p, q), std::pair(q, p)})
+        if (found.count(end) && !ways_at(end).count(other)) found.erase(end);
+    }
+    return found;
+  }
+
+  std::map<int, Point> moves() {
+    find_neighbours();
+    gather_ends();
+    for (const auto& [node, edges] : near_edges_) lead_to_line(node, edges);
+    return std::move(moves_);
+  }
+
+ private:
+  std::map<int, int> short_ends() const {
     std::map<int, int> found;
     for (int node = 0; node < static_cast<int>(graph_.nodes.size()); ++node) {
       if (incidence_.degree(node) != 1) continue;
@@ -71,18 +91,11 @@ class GapCloser {
     return found;
   }
 
-  std::map<int, Point> moves() {
-    find_neighbours();
-    gather_ends();
-    for (const auto& [node, edges] : near_edges_) lead_to_line(node, edges);
-    return std::move(moves_);
-  }
-
- private:
   bool movable(int node) const { return incidence_.degree(node) > 0 && !passed_[static_cast<std::size_t>(node)]; }
 
   /// What each end may have been meant to meet. Most ends have nothing near them but the lines that end there.
   void find_neighbours() {
+    if (std::exchange(neighbours_known_, true)) return;
     std::vector<AxisBox> boxes;
     for (const LineGraph::Edge& e : graph_.edges) boxes.emplace_back(graph_.point(e.from), graph_.point(e.to));
     std::vector<int> ends;
@@ -220,6 +233,7 @@ class GapCloser {
   double join_;
   Incidence incidence_;
   std::vector<bool> passed_;  ///< of each node: does a line go on through it, so that it cannot be moved?
+  bool neighbours_known_ = false;
   std::vector<std::tuple<double, int, int>> pairs_;  ///< ends near each other
   std::map<int, std::vector<int>> near_edges_;       ///< of ends
   std::map<int, Ways> ways_;                         ///< from ends

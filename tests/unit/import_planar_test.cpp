@@ -359,5 +359,13 @@ TEST(ImportPlanar, ListsSpikesOfPolygons) {
   EXPECT_NE(long_spike.faults[0].problem().find("to and fro along a line near (10, 5)"), std::string::npos);
 }
 
+/// Copies of a part of a side that meet at both ends go to and fro, and are no contour of their own.
+TEST(ImportPlanar, CopiesOfAPartOfASideAreNoContour) {
+  DxfText text;
+  text.box({0, 0}, {40, 40}).box({10, 10}, {20, 20}).line({10, 10}, {10, 15});
+  text.line({12, 10}, {18, 10}).line({12, 10}, {15, 10}).line({18, 10}, {15, 10});
+  expect_totals(examine(text), 1500, 1, 1);
+}
+
 }  // namespace
 }  // namespace taut
