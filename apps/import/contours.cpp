@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <tuple>
 
 namespace taut::drawing {
 
@@ -23,6 +24,7 @@ class ContourFinder {
   }
 
   Contours find() {
+    drop_copies();
     gather_ends();
     std::vector<bool> used(walks_.size(), false);
     for (const auto& [node, here] : ends_) {
@@ -46,19 +48,45 @@ class ContourFinder {
     if (any) found_.rings.push_back(std::move(ring));
   }
 
-  /// Of open strands: 2s is the start of strand s, 2s + 1 its end. Of strands that run along the same edges, one
-  /// counts.
+  /// A strand that runs only along edges of others is a copy, and does not count; of some that cover each other, the
+  /// longest ones do.
+  void drop_copies() {
+    std::vector<int> times(graph_.edges.size(), 0);
+    std::vector<std::tuple<double, std::vector<int>, std::size_t>> copies;  // length, edges, strand
+    const auto each_edge = [this](std::size_t s, const auto& visit) {
+      std::set<int> edges;
+      for (const int h : walks_[s]) edges.insert(h / 2);
+      return std::all_of(edges.begin(), edges.end(), visit);
+    };
+    const auto is_repeated = [this](int h) { return graph_.edge(h).times > 1; };
+    for (std::size_t s = 0; s < walks_.size(); ++s)
+      if (std::any_of(walks_[s].begin(), walks_[s].end(), is_repeated))
+        each_edge(s, [&](int e) { return ++times[static_cast<std::size_t>(e)] > 0; });
+    const auto is_shared = [&times](int e) { return times[static_cast<std::size_t>(e)] > 1; };
+    for (std::size_t s = 0; s < walks_.size(); ++s) {
+      if (walks_[s].empty() || !is_shared(walks_[s].front() / 2) || !each_edge(s, is_shared)) continue;
+      double length = 0;
+      std::vector<int> edges;
+      for (const int h : walks_[s]) {
+        length += graph_.length(h);
+        edges.push_back(h / 2);
+      }
+      std::sort(edges.begin(), edges.end());
+      copies.emplace_back(length, std::move(edges), s);
+    }
+    std::sort(copies.begin(), copies.end());
+    for (const auto& [length, edges, s] : copies) {
+      if (!each_edge(s, is_shared)) continue;
+      each_edge(s, [&](int e) { return --times[static_cast<std::size_t>(e)] > 0; });
+      walks_[s].clear();
+    }
+  }
+
+  /// Of open strands: 2s is the start of strand s, 2s + 1 its end.
   void gather_ends() {
-    std::set<std::vector<int>> known;
     for (std::size_t s = 0; s < walks_.size(); ++s) {
       const std::vector<int>& walk = walks_[s];
       if (walk.empty()) continue;
-      if (graph_.edge(walk.front()).times > 1) {
-        std::vector<int> edges;
-        for (const int h : walk) edges.push_back(h / 2);
-        std::sort(edges.begin(), edges.end());
-        if (!known.insert(edges).second) continue;
-      }
       if (node_at(2 * s) == node_at(2 * s + 1)) {
         add(walk);
         continue;

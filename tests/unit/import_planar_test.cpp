@@ -365,6 +365,9 @@ TEST(ImportPlanar, CopiesOfAPartOfASideAreNoContour) {
   text.box({0, 0}, {40, 40}).box({10, 10}, {20, 20}).line({10, 10}, {10, 15});
   text.line({12, 10}, {18, 10}).line({12, 10}, {15, 10}).line({18, 10}, {15, 10});
   expect_totals(examine(text), 1500, 1, 1);
+  // With another contour across the hole, both are one.
+  text.polyline({{17, 12}, {25, 12}, {25, 14}, {17, 14}}, true);
+  expect_totals(examine(text), 1490, 1, 1);
 }
 
 }  // namespace
