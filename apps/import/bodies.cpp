@@ -344,35 +344,6 @@ void BodyMaker::add_body(const std::string& wanted, std::vector<Named> named) {
   import_.bodies.push_back(std::move(report));
 }
 
-/// The curves that the rings were made of, if there are any. Where curves meet each other, which scenes do not have,
-/// their chords stand for them.
-void BodyMaker::take_curves(const std::vector<Part>& parts, Body& body) {
-  if (!finder_) return;
-  std::size_t kept = 0;
-  const auto outline = [&](const Polygon& ring) {
-    Outline found = finder_->outline(ring);
-    kept += static_cast<std::size_t>(std::count_if(found.segments.begin(), found.segments.end(),
-                                                   [](const auto& s) { return !std::holds_alternative<LineTo>(s); }));
-    return found;
-  };
-  for (const Part& part : parts) {
-    CurvedPart curved{outline(part.outline), {}};
-    for (const Polygon& hole : part.holes) curved.holes.push_back(outline(hole));
-    body.curves.push_back(std::move(curved));
-  }
-  if (kept == 0) return body.curves.clear();
-  try {
-    flatten(body.curves, CurveSide::outer, 1e300, body.name);
-    file_.kept += kept;
-  } catch (const InputError& error) {
-    body.curves.clear();
-    file_.notes.push_back(
-        fmt::format("body {}: {}, and scenes with curves need a gap there: all of it is chords, at "
-                    "most {:.3g} away (--tolerance)",
-                    io::excerpt(body.name), error.problem(), file_.fineness.tolerance));
-  }
-}
-
 /// Bodies are told apart by their names; a name is UTF-8 and has no line breaks in it.
 std::string BodyMaker::unused_name(const std::string& wanted) {
   std::string base;

@@ -47,27 +47,32 @@ CurveFinder::Match CurveFinder::match_at(const Polygon& ring, std::size_t first)
   return {};
 }
 
-Outline CurveFinder::outline(const Polygon& ring) const {
+FoundOutline CurveFinder::outline(const Polygon& ring, const std::set<const KeptCurve*>& chorded) const {
   const std::size_t n = ring.size();
+  const auto kept_at = [&](std::size_t i) {
+    const Match match = match_at(ring, i);
+    return chorded.count(match.curve) ? Match{} : match;
+  };
   // Begin at a point that is inside of no curve.
   std::vector<bool> inside(n, false);
   for (std::size_t i = 0; i < n; ++i) {
-    const Match match = match_at(ring, i);
+    const Match match = kept_at(i);
     for (std::size_t k = 0; match.curve && k < match.curve->inner.size(); ++k) inside[(i + k) % n] = true;
   }
   std::size_t begin = 0;
   while (begin < n && inside[begin]) ++begin;
-  Outline outline{ring[begin % n], {}};
+  FoundOutline found{{ring[begin % n], {}}, {}};
   for (std::size_t i = 1; i <= n;) {
-    const Match match = match_at(ring, begin + i);
+    const Match match = kept_at(begin + i);
+    found.curves.push_back(match.curve);
     if (!match.curve) {
-      outline.segments.emplace_back(LineTo{ring[(begin + i++) % n]});
+      found.outline.segments.emplace_back(LineTo{ring[(begin + i++) % n]});
       continue;
     }
     i += match.curve->inner.size();
-    outline.segments.push_back(segment_to(*match.curve, match.reversed, ring[(begin + i++) % n]));
+    found.outline.segments.push_back(segment_to(*match.curve, match.reversed, ring[(begin + i++) % n]));
   }
-  return outline;
+  return found;
 }
 
 }  // namespace taut::drawing

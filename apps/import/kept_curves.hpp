@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -10,13 +11,20 @@
 
 namespace taut::drawing {
 
+/// A ring with its curves.
+struct FoundOutline {
+  Outline outline;
+  std::vector<const KeptCurve*> curves;  ///< of each segment; null for lines
+};
+
 /// Finds curves by their chords.
 class CurveFinder {
  public:
   explicit CurveFinder(const std::vector<KeptCurve>& curves);
 
-  /// The ring with its curves. Where ends have been joined, curves end where the ring does.
-  Outline outline(const Polygon& ring) const;
+  /// The ring with its curves, but for those that are to stay chords. Where ends have been joined, curves end where the
+  /// ring does.
+  FoundOutline outline(const Polygon& ring, const std::set<const KeptCurve*>& chorded) const;
 
  private:
   struct Match {

@@ -122,18 +122,21 @@ TEST(ImportKinds, WhatHasNoExtentIsListed) {
 /// Curves must not touch in a scene; their chords may.
 TEST(ImportKinds, CurvesThatTouchAreChords) {
   testing::DxfText text;
-  text.box({0, 0}, {40, 40}).circle({20, 10}, 10).circle({100, 0}, 5, "apart");
+  text.box({0, 0}, {40, 40}).circle({20, 10}, 10).circle({20, 30}, 4).circle({100, 0}, 5, "apart");
   drawing::ImportSettings settings;
   settings.curves = true;
   const auto import = examine(text, settings);
   ASSERT_TRUE(import.faults.empty());
-  EXPECT_NEAR(testing::totals_of(import).area, 1600 - 75 * 3.14159265, 0.5);
+  EXPECT_NEAR(testing::totals_of(import).area, 1600 - 91 * 3.14159265, 0.5);
   ASSERT_EQ(import.files[0].notes.size(), 1u);
-  EXPECT_NE(import.files[0].notes[0].find("meets segment"), std::string::npos) << import.files[0].notes[0];
-  EXPECT_EQ(import.files[0].kept, 4u);
+  const std::string& note = import.files[0].notes[0];
+  EXPECT_NE(note.find("meets segment"), std::string::npos) << note;
+  EXPECT_NE(note.find("body 0"), std::string::npos) << note;
   ASSERT_EQ(import.scene.bodies.size(), 2u);
-  EXPECT_TRUE(import.scene.bodies[0].curves.empty());
   EXPECT_FALSE(import.scene.bodies[1].curves.empty());
+  // Of three circles in four quarters each, the two quarters at the edge are chords.
+  EXPECT_EQ(import.files[0].kept, 10u) << note;
+  EXPECT_NE(note.find("2 curves at such places are chords"), std::string::npos) << note;
 }
 
 }  // namespace

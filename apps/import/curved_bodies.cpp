@@ -1,0 +1,95 @@
+// Of BodyMaker: outlines that keep their curves.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <set>
+
+#include "import/bodies.hpp"
+#include "import/kept_curves.hpp"
+#include "io/text_file.hpp"
+#include "taut/error.hpp"
+
+namespace taut::drawing {
+using namespace internal;
+
+namespace {
+
+/// Each takes a look at all of the body.
+constexpr int most_touching = 200;
+
+/// A part with its curves, ring by ring.
+struct FoundPart {
+  CurvedPart part;
+  std::vector<std::vector<const KeptCurve*>> curves;
+};
+
+FoundPart found_part(const Part& part, const CurveFinder& finder, const std::set<const KeptCurve*>& chorded) {
+  FoundPart found;
+  const auto add = [&](const Polygon& ring) {
+    FoundOutline outline = finder.outline(ring, chorded);
+    found.curves.push_back(std::move(outline.curves));
+    return std::move(outline.outline);
+  };
+  found.part.outline = add(part.outline);
+  for (const Polygon& hole : part.holes) found.part.holes.push_back(add(hole));
+  return found;
+}
+
+/// One of the curves that an error names; null if it names none.
+const KeptCurve* culprit_of(const InputError& error, const FoundPart& found) {
+  for (const EdgeRef& edge : error.culprits().edges) {
+    const auto ring = static_cast<std::size_t>(edge.ring), segment = static_cast<std::size_t>(edge.index);
+    if (ring < found.curves.size() && segment < found.curves[ring].size() && found.curves[ring][segment])
+      return found.curves[ring][segment];
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+/// The curves that the rings were made of, if there are any. Where curves meet each other, which scenes do not have,
+/// the chords of one of them stand for it.
+void BodyMaker::take_curves(const std::vector<Part>& parts, Body& body) {
+  if (!finder_) return;
+  std::set<const KeptCurve*> chorded;
+  std::optional<InputError> first;
+  bool all_chords = false;
+  for (std::size_t k = 0; k < parts.size() && !all_chords;) {
+    FoundPart found = found_part(parts[k], *finder_, chorded);
+    try {
+      flatten({found.part}, CurveSide::outer, 1e300, body.name);
+      body.curves.push_back(std::move(found.part));
+      ++k;
+    } catch (const InputError& error) {
+      if (!first) first = error;
+      const KeptCurve* culprit = culprit_of(error, found);
+      all_chords = !culprit || static_cast<int>(chorded.size()) == most_touching;
+      if (culprit) chorded.insert(culprit);
+      // Another part may have the curve, too.
+      body.curves.clear();
+      k = 0;
+    }
+  }
+  std::size_t kept = 0;
+  const auto count = [&kept](const Outline& outline) {
+    kept += static_cast<std::size_t>(std::count_if(outline.segments.begin(), outline.segments.end(),
+                                                   [](const auto& s) { return !std::holds_alternative<LineTo>(s); }));
+  };
+  for (const CurvedPart& part : body.curves) {
+    count(part.outline);
+    std::for_each(part.holes.begin(), part.holes.end(), count);
+  }
+  if (kept == 0) body.curves.clear();
+  file_.kept += kept;
+  if (!first) return;
+  const std::string how_much = kept == 0 ? "all of it is chords"
+                               : chorded.size() == 1
+                                   ? "1 curve there is chords"
+                                   : fmt::format("{} curves at such places are chords", chorded.size());
+  file_.notes.push_back(
+      fmt::format("body {}: {}, and scenes with curves need a gap there: {}, at most {:.3g} away (--tolerance)",
+                  io::excerpt(body.name), first->problem(), how_much, file_.fineness.tolerance));
+}
+
+}  // namespace taut::drawing
