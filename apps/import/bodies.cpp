@@ -228,13 +228,24 @@ void BodyMaker::note_shapes_in_others() {
   for (const bool lines : {true, false}) {
     std::size_t count = 0;
     std::string first;
+    std::vector<const Shape*> outers;
+    std::vector<AxisBox> boxes;
+    for (const Shape& shape : shapes) {
+      if (shape.named->lines == lines) continue;
+      outers.push_back(&shape);
+      boxes.push_back(shape.box);
+    }
+    if (outers.empty() || outers.size() == shapes.size()) continue;
+    const SegmentStrips strips(std::move(boxes));
     for (const Shape& inner : shapes) {
       if (inner.named->lines != lines) continue;
-      const auto outer = std::find_if(shapes.begin(), shapes.end(), [&](const Shape& shape) {
-        return shape.named->lines != lines && shape.layer != inner.layer && shape.box.holds(inner.box) &&
-               roughly_inside(shape.named->part, inner.named->part.outline.front());
+      const Shape* around = nullptr;
+      strips.each_near(inner.box, [&](std::size_t k) {
+        const Shape& outer = *outers[k];
+        if ((around && around < &outer) || outer.layer == inner.layer || !outer.box.holds(inner.box)) return;
+        if (roughly_inside(outer.named->part, inner.named->part.outline.front())) around = &outer;
       });
-      if (outer != shapes.end() && count++ == 0) first = inner.named->place + ", in that at " + outer->named->place;
+      if (around && count++ == 0) first = inner.named->place + ", in that at " + around->named->place;
     }
     if (count == 0) continue;
     const bool one = count == 1;
