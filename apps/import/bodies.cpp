@@ -76,6 +76,7 @@ void BodyMaker::add(Drawing drawing) {
       if (!sheet.lines) read_sheet(drawing.layers[k], sheet, parts_[k]);
   read_lines(drawing);
   drop_repeated_fillings(drawing);
+  if (drawing.format == "SVG" || drawing.format == "DXF") note_equal_fillings();
   note_shapes_in_others();
   for (std::size_t k = 0; k < parts_.size(); ++k) cut_out(drawing.layers[k], parts_[k]);
   require_nothing_lost(drawing);

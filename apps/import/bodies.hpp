@@ -42,6 +42,7 @@ class BodyMaker {
   void note_coarse_join(const std::vector<LineLayer>& lines);
   void note_border(const Drawing& drawing, const std::vector<Piece>& pieces);
   void drop_repeated_fillings(const Drawing& drawing);
+  void note_equal_fillings();
   void note_shapes_in_others();
   void note_conflicts(const Drawing& drawing, const std::vector<LineLayer>& lines, const LayerPlan& plan);
   void cut_out(Layer& layer, std::vector<Named>& parts);

@@ -22,6 +22,7 @@ constexpr int most_touching = 200;
 struct FoundPart {
   CurvedPart part;
   std::vector<std::vector<const KeptCurve*>> curves;
+  std::set<const KeptCurve*> cut;
 };
 
 FoundPart found_part(const Part& part, const CurveFinder& finder, const std::set<const KeptCurve*>& chorded) {
@@ -29,6 +30,7 @@ FoundPart found_part(const Part& part, const CurveFinder& finder, const std::set
   const auto add = [&](const Polygon& ring) {
     FoundOutline outline = finder.outline(ring, chorded);
     found.curves.push_back(std::move(outline.curves));
+    found.cut.merge(outline.cut);
     return std::move(outline.outline);
   };
   found.part.outline = add(part.outline);
@@ -52,7 +54,7 @@ const KeptCurve* culprit_of(const InputError& error, const FoundPart& found) {
 /// the chords of one of them stand for it.
 void BodyMaker::take_curves(const std::vector<Part>& parts, Body& body) {
   if (!finder_) return;
-  std::set<const KeptCurve*> chorded;
+  std::set<const KeptCurve*> chorded, cut;
   std::optional<InputError> first;
   bool all_chords = false;
   for (std::size_t k = 0; k < parts.size() && !all_chords;) {
@@ -60,6 +62,7 @@ void BodyMaker::take_curves(const std::vector<Part>& parts, Body& body) {
     try {
       flatten({found.part}, CurveSide::outer, 1e300, body.name);
       body.curves.push_back(std::move(found.part));
+      cut.merge(found.cut);
       ++k;
     } catch (const InputError& error) {
       if (!first) first = error;
@@ -68,6 +71,7 @@ void BodyMaker::take_curves(const std::vector<Part>& parts, Body& body) {
       if (culprit) chorded.insert(culprit);
       // Another part may have the curve, too.
       body.curves.clear();
+      cut.clear();
       k = 0;
     }
   }
@@ -82,6 +86,12 @@ void BodyMaker::take_curves(const std::vector<Part>& parts, Body& body) {
   }
   if (kept == 0) body.curves.clear();
   file_.kept += kept;
+  if (!cut.empty())
+    file_.notes.push_back(
+        fmt::format("body {}: {} where lines meet or cross {}, and chords there, at most {:.3g} away (--tolerance)",
+                    io::excerpt(body.name),
+                    cut.size() == 1 ? "1 curve is divided" : fmt::format("{} curves are divided", cut.size()),
+                    cut.size() == 1 ? "it" : "them", file_.fineness.tolerance));
   if (!first) return;
   const std::string how_much = kept == 0 ? "all of it is chords"
                                : chorded.size() == 1

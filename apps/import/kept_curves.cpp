@@ -28,6 +28,7 @@ CurveFinder::CurveFinder(const std::vector<KeptCurve>& curves) {
   for (const KeptCurve& curve : curves) {
     by_first_.emplace(key_of(curve.inner.front()), Match{&curve, false});
     by_first_.emplace(key_of(curve.inner.back()), Match{&curve, true});
+    for (const Point& p : curve.inner) by_inner_.emplace(key_of(p), &curve);
   }
 }
 
@@ -61,11 +62,13 @@ FoundOutline CurveFinder::outline(const Polygon& ring, const std::set<const Kept
   }
   std::size_t begin = 0;
   while (begin < n && inside[begin]) ++begin;
-  FoundOutline found{{ring[begin % n], {}}, {}};
+  FoundOutline found{{ring[begin % n], {}}, {}, {}};
   for (std::size_t i = 1; i <= n;) {
     const Match match = kept_at(begin + i);
     found.curves.push_back(match.curve);
     if (!match.curve) {
+      const auto curve = by_inner_.find(key_of(ring[(begin + i) % n]));
+      if (curve != by_inner_.end() && !chorded.count(curve->second)) found.cut.insert(curve->second);
       found.outline.segments.emplace_back(LineTo{ring[(begin + i++) % n]});
       continue;
     }

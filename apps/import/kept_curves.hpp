@@ -15,6 +15,7 @@ namespace taut::drawing {
 struct FoundOutline {
   Outline outline;
   std::vector<const KeptCurve*> curves;  ///< of each segment; null for lines
+  std::set<const KeptCurve*> cut;        ///< that have chords in the ring, but not all of them
 };
 
 /// Finds curves by their chords.
@@ -34,6 +35,7 @@ class CurveFinder {
   Match match_at(const Polygon& ring, std::size_t first) const;
 
   std::map<std::pair<double, double>, Match> by_first_;
+  std::map<std::pair<double, double>, const KeptCurve*> by_inner_;
 };
 
 }  // namespace taut::drawing

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 #include "geometry/segment_strips.hpp"
@@ -114,6 +115,46 @@ void BodyMaker::drop_repeated_fillings(const Drawing& drawing) {
         layer_title(drawing.layers[layers.second].name), count.first,
         count.covering > 0 ? "; holes that are covered are holes" : ""));
   }
+}
+
+/// Layers may lie on each other, but two bodies of one shape at one place are rarely meant.
+void BodyMaker::note_equal_fillings() {
+  struct Shape {
+    const Named* named;
+    std::size_t layer;
+    AxisBox box;
+  };
+  const double near = file_.fineness.join + 2 * file_.fineness.tolerance;
+  std::vector<Shape> shapes;
+  std::vector<AxisBox> corners;
+  for (std::size_t k = 0; k < parts_.size(); ++k) {
+    for (const Named& named : parts_[k]) {
+      if (named.lines) continue;
+      shapes.push_back({&named, k, box_of(named.part.outline)});
+      const Point low{shapes.back().box.lo_x, shapes.back().box.lo_y};
+      corners.emplace_back(low, low, near);
+    }
+  }
+  const auto are_equal = [&](const Shape& a, const Shape& b) {
+    if (a.layer == b.layer || std::fabs(a.box.hi_x - b.box.hi_x) > near || std::fabs(a.box.hi_y - b.box.hi_y) > near)
+      return false;
+    const Segments sides = sides_of(a.named->part), others = sides_of(b.named->part);
+    return runs_along(sides, others, strips_of(others), near) && runs_along(others, sides, strips_of(sides), near);
+  };
+  std::set<const Named*> copies;
+  std::pair<std::string, std::string> first;
+  SegmentStrips(std::move(corners)).each_pair([&](std::size_t i, std::size_t j) {
+    const Shape &a = shapes[std::min(i, j)], &b = shapes[std::max(i, j)];
+    if (copies.count(b.named) || !are_equal(a, b)) return;
+    if (copies.empty() || b.named->place < first.first) first = {b.named->place, a.named->place};
+    copies.insert(b.named);
+  });
+  if (!copies.empty())
+    file_.notes.push_back(fmt::format(
+        "{}, the first one at {}, as at {}: delete one, unless two bodies are meant",
+        copies.size() == 1 ? "1 filled shape is that of another layer or group again"
+                           : fmt::format("{} filled shapes are those of other layers or groups again", copies.size()),
+        first.first, first.second));
 }
 
 }  // namespace taut::drawing

@@ -71,5 +71,18 @@ TEST(ImportFillings, OfGroupsOfSvgMayHaveNoName) {
   EXPECT_NE(import.files[0].notes[0].find("layer without a name: 1 filled shape"), std::string::npos);
 }
 
+TEST(ImportFillings, ThatAreDrawnTwiceAreNamed) {
+  const auto notes = [](const std::string& second) {
+    return examine("<svg><g id='a'><rect width='40' height='40'/></g><g id='b'>" + second + "</g></svg>", "d.svg")
+        .files[0]
+        .notes;
+  };
+  ASSERT_EQ(notes("<path d='M40 0H0V40H20H40Z'/>").size(), 1u);
+  EXPECT_NE(notes("<path d='M40 0H0V40H20H40Z'/>")[0].find("1 filled shape is that of another layer or group again"),
+            std::string::npos);
+  EXPECT_TRUE(notes("<path d='M40 0H0V40Z'/>").empty());
+  EXPECT_TRUE(notes("<path fill-rule='evenodd' d='M40 0H0V40H40ZM5 5H9V9H5Z'/>").empty());
+}
+
 }  // namespace
 }  // namespace taut

@@ -139,5 +139,24 @@ TEST(ImportKinds, CurvesThatTouchAreChords) {
   EXPECT_NE(note.find("2 curves at such places are chords"), std::string::npos) << note;
 }
 
+TEST(ImportKinds, CurvesThatAreDividedAreChords) {
+  testing::DxfText text;
+  text.box({0, 0}, {40, 40}).circle({40, 17}, 5).circle({10, 10}, 3);
+  drawing::ImportSettings settings;
+  settings.curves = true;
+  settings.crossing = drawing::Crossing::subtract;
+  // Where the edge meets the ends of quarters of a circle, nothing is divided.
+  const auto whole = examine(text, settings);
+  EXPECT_EQ(whole.files[0].kept, 6u);
+  EXPECT_EQ(whole.files[0].notes.size(), 1u);
+  text.circle({41, 30}, 5);
+  const auto divided = examine(text, settings);
+  ASSERT_TRUE(divided.faults.empty());
+  ASSERT_EQ(divided.files[0].notes.size(), 2u);
+  EXPECT_NE(divided.files[0].notes[1].find("body 0: 2 curves are divided"), std::string::npos)
+      << divided.files[0].notes[1];
+  EXPECT_EQ(divided.files[0].kept, 6u);
+}
+
 }  // namespace
 }  // namespace taut
