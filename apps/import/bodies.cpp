@@ -82,23 +82,25 @@ void BodyMaker::add(Drawing drawing) {
   require_nothing_lost(drawing);
   require_nothing_hidden();
   for (std::size_t k = 0; k < parts_.size(); ++k) make_bodies(drawing.layers[k].name, std::move(parts_[k]));
-  if (import_.scene.bodies.size() == before && import_.faults.size() == faults) {
-    std::string reasons;
-    for (const Skipped& s : file_.skipped) {
-      if (reasons.size() > 400) break;
-      reasons += (reasons.empty() ? "; skipped: " : ", ") + s.what + " at " + s.place + " " + s.reason;
-    }
-    for (const OpenReport& open : file_.open) {
-      if (reasons.size() > 400) break;
-      reasons += (reasons.empty() ? "; " : ", ") + ("the line at " + open.place) + " is open";
-    }
-    const char* const usual = "draw closed lines; ends that do not meet are joined with --join E, or by --open close";
-    fail(drawing.file, "nothing in the file encloses an area" + reasons,
-         !drawing.remedy.empty() ? drawing.remedy
-         : coarse_join_          ? "give a smaller distance to --join: lines are shorter than it"
-                                 : usual);
-  }
+  if (import_.scene.bodies.size() == before && import_.faults.size() == faults) fail_empty(drawing);
   import_.files.push_back(std::move(file_));
+}
+
+void BodyMaker::fail_empty(const Drawing& drawing) {
+  std::string reasons;
+  for (const Skipped& s : file_.skipped) {
+    if (reasons.size() > 400) break;
+    reasons += (reasons.empty() ? "; skipped: " : ", ") + s.what + " at " + s.place + " " + s.reason;
+  }
+  for (const OpenReport& open : file_.open) {
+    if (reasons.size() > 400) break;
+    reasons += (reasons.empty() ? "; " : ", ") + ("the line at " + open.place) + " is open";
+  }
+  const char* const usual = "draw closed lines; ends that do not meet are joined with --join E, or by --open close";
+  fail(drawing.file, "nothing in the file encloses an area" + reasons,
+       !drawing.remedy.empty() ? drawing.remedy
+       : coarse_join_          ? "give a smaller distance to --join: lines are shorter than it"
+                               : usual);
 }
 
 void BodyMaker::choose_layers(Drawing& drawing) const {

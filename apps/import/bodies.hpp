@@ -36,9 +36,15 @@ class BodyMaker {
     std::string place, name;
   };
 
+  void fail_empty(const Drawing& drawing);
   void choose_layers(Drawing& drawing) const;
   static void merge_layers(Drawing& drawing, const std::vector<std::string>& names, bool all);
   void read_lines(Drawing& drawing);
+  std::vector<LineLayer> take_line_layers(Drawing& drawing) const;
+  /// Reads the lines of set `s` of the plan, and adds what they enclose.
+  void read_set(const Drawing& drawing, std::vector<LineLayer>& lines, const LayerPlan& plan, std::size_t s,
+                std::vector<Piece>& pieces);
+  void place_pieces(std::vector<Piece> pieces);
   void note_coarse_join(const std::vector<LineLayer>& lines);
   void note_border(const Drawing& drawing, const std::vector<Piece>& pieces);
   void drop_repeated_fillings(const Drawing& drawing);

@@ -48,6 +48,18 @@ const KeptCurve* culprit_of(const InputError& error, const FoundPart& found) {
   return nullptr;
 }
 
+std::size_t count_curves(const std::vector<CurvedPart>& parts) {
+  std::size_t curves = 0;
+  const auto count = [&curves](const Outline& outline) {
+    for (const CurveSegment& segment : outline.segments) curves += std::holds_alternative<LineTo>(segment) ? 0 : 1;
+  };
+  for (const CurvedPart& part : parts) {
+    count(part.outline);
+    std::for_each(part.holes.begin(), part.holes.end(), count);
+  }
+  return curves;
+}
+
 }  // namespace
 
 /// The curves that the rings were made of, if there are any. Where curves meet each other, which scenes do not have,
@@ -75,15 +87,7 @@ void BodyMaker::take_curves(const std::vector<Part>& parts, Body& body) {
       k = 0;
     }
   }
-  std::size_t kept = 0;
-  const auto count = [&kept](const Outline& outline) {
-    kept += static_cast<std::size_t>(std::count_if(outline.segments.begin(), outline.segments.end(),
-                                                   [](const auto& s) { return !std::holds_alternative<LineTo>(s); }));
-  };
-  for (const CurvedPart& part : body.curves) {
-    count(part.outline);
-    std::for_each(part.holes.begin(), part.holes.end(), count);
-  }
+  const std::size_t kept = count_curves(body.curves);
   if (kept == 0) body.curves.clear();
   file_.kept += kept;
   if (!cut.empty())

@@ -51,8 +51,7 @@ std::vector<std::string> names_of(const Drawing& drawing, const std::vector<Line
 
 }  // namespace
 
-/// Lines of layers, in the sets that the plan says.
-void BodyMaker::read_lines(Drawing& drawing) {
+std::vector<LineLayer> BodyMaker::take_line_layers(Drawing& drawing) const {
   std::vector<LineLayer> lines;
   for (std::size_t k = 0; k < drawing.layers.size(); ++k) {
     LineLayer layer{k, {}, {}};
@@ -69,6 +68,12 @@ void BodyMaker::read_lines(Drawing& drawing) {
   }
   for (LineLayer& layer : lines)
     if (!layer.chains.empty()) layer.place = layer.chains.front().place;
+  return lines;
+}
+
+/// Lines of layers, in the sets that the plan says.
+void BodyMaker::read_lines(Drawing& drawing) {
+  std::vector<LineLayer> lines = take_line_layers(drawing);
   note_coarse_join(lines);
   LayerPlan plan;
   const OutlineSettings settings = outline_settings();
@@ -82,32 +87,40 @@ void BodyMaker::read_lines(Drawing& drawing) {
                                       counted_text(lines[k].chains.size(), "line", "lines")));
   adopt_holes(lines, plan, settings);
   std::vector<Piece> pieces;
-  for (std::size_t s = 0; s < plan.sets.size(); ++s) {
-    std::vector<Chain> chains;
-    std::vector<std::size_t> layer_of;
-    std::vector<std::string> layers;
-    for (const std::size_t k : plan.sets[s]) {
-      for (Chain& chain : lines[k].chains) {
-        layer_of.push_back(lines[k].layer);
-        layers.push_back(drawing.layers[lines[k].layer].name);
-        chains.push_back(std::move(chain));
-      }
-    }
-    Outlines outlines = outlines_of_lines(chains, settings);
-    take_report(outlines, chains, layers);
-    if (plan.sets[s].size() > 1) note_holes(outlines, layers);
-    for (std::size_t i = 0; i < outlines.regions.size(); ++i) {
-      std::map<std::pair<std::string, std::size_t>, double> shares;
-      for (const auto& [chain, length] : outlines.lengths[i]) shares[{layers[chain], layer_of[chain]}] += length;
-      const auto most = std::max_element(shares.begin(), shares.end(),
-                                         [](const auto& a, const auto& b) { return a.second < b.second; });
-      pieces.push_back({std::move(outlines.regions[i]), most->first.second, s, chains[outlines.sources[i]].place,
-                        lines[plan.sets[s].front()].name});
-    }
-  }
+  for (std::size_t s = 0; s < plan.sets.size(); ++s) read_set(drawing, lines, plan, s, pieces);
   note_conflicts(drawing, lines, plan);
   if (!plan.conflicts.empty()) require_clear_nesting(drawing, pieces);
   note_border(drawing, pieces);
+  place_pieces(std::move(pieces));
+}
+
+void BodyMaker::read_set(const Drawing& drawing, std::vector<LineLayer>& lines, const LayerPlan& plan, std::size_t s,
+                         std::vector<Piece>& pieces) {
+  std::vector<Chain> chains;
+  std::vector<std::size_t> layer_of;
+  std::vector<std::string> layers;
+  for (const std::size_t k : plan.sets[s]) {
+    for (Chain& chain : lines[k].chains) {
+      layer_of.push_back(lines[k].layer);
+      layers.push_back(drawing.layers[lines[k].layer].name);
+      chains.push_back(std::move(chain));
+    }
+  }
+  const OutlineSettings settings = outline_settings();
+  Outlines outlines = outlines_of_lines(chains, settings);
+  take_report(outlines, chains, layers);
+  if (plan.sets[s].size() > 1) note_holes(outlines, layers);
+  for (std::size_t i = 0; i < outlines.regions.size(); ++i) {
+    std::map<std::pair<std::string, std::size_t>, double> shares;
+    for (const auto& [chain, length] : outlines.lengths[i]) shares[{layers[chain], layer_of[chain]}] += length;
+    const auto most = std::max_element(shares.begin(), shares.end(),
+                                       [](const auto& a, const auto& b) { return a.second < b.second; });
+    pieces.push_back({std::move(outlines.regions[i]), most->first.second, s, chains[outlines.sources[i]].place,
+                      lines[plan.sets[s].front()].name});
+  }
+}
+
+void BodyMaker::place_pieces(std::vector<Piece> pieces) {
   // The larger ones first: the outermost outline around a piece is known before the piece.
   std::stable_sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) {
     return doubled_area(a.region.part.outline) > doubled_area(b.region.part.outline);

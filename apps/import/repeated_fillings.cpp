@@ -57,17 +57,52 @@ double length_of(const Segments& sides) {
   return sum;
 }
 
+/// A part that lines enclose.
+struct Contour {
+  std::size_t layer;
+  Point inner;
+  double area, filled;  ///< with its holes, and without
+};
+
+/// The contours of other layers in a filling.
+struct Covered {
+  const Contour* last = nullptr;
+  double area = 0, filled = 0;
+};
+
+Covered covered_by(const Part& filling, std::size_t layer, const std::vector<Contour>& contours) {
+  Covered covered;
+  for (const Contour& contour : contours) {
+    if (contour.layer == layer || !roughly_inside(filling, contour.inner)) continue;
+    covered.last = &contour;
+    covered.area += contour.area;
+    covered.filled += contour.filled;
+  }
+  return covered;
+}
+
+/// Fillings of one layer that follow contours of another one.
+struct Repeated {
+  std::size_t same = 0, covering = 0;
+  std::string first;
+};
+
+std::string text_of(const Repeated& repeated, const std::string& layer, const std::string& other) {
+  const std::size_t n = repeated.same + repeated.covering;
+  return fmt::format(
+      "layer {}: {} of layer {}, the first one at {}: the same part, and no body of its own{} (--by layer keeps layers "
+      "apart)",
+      layer_title(layer),
+      n == 1 ? "1 filled shape follows contours" : fmt::format("{} filled shapes follow contours", n),
+      layer_title(other), repeated.first, repeated.covering > 0 ? "; holes that are covered are holes" : "");
+}
+
 }  // namespace
 
 /// A filling that follows contours of another layer shows what is material, as hatches do: a body of its own would be
 /// that part again. Where it covers holes of the contours, these count.
 void BodyMaker::drop_repeated_fillings(const Drawing& drawing) {
   if (settings_.by == Grouping::layer || settings_.by == Grouping::color) return;
-  struct Contour {
-    std::size_t layer;
-    Point inner;
-    double area, filled;  ///< with its holes, and without
-  };
   std::vector<Contour> contours;
   Segments lines;
   for (std::size_t k = 0; k < parts_.size(); ++k) {
@@ -79,42 +114,23 @@ void BodyMaker::drop_repeated_fillings(const Drawing& drawing) {
   }
   const SegmentStrips strips = strips_of(lines);
   const double near = file_.fineness.join + 2 * file_.fineness.tolerance;
-  struct Repeated {
-    std::size_t same = 0, covering = 0;
-    std::string first;
-  };
   std::map<std::pair<std::size_t, std::size_t>, Repeated> repeated;  // layers of fillings and of their contours
   const auto repeats = [&](const Named& named, std::size_t layer) {
     if (named.lines || contours.empty()) return false;
     const Segments boundary = sides_of(named.part);
     if (!runs_along(boundary, lines, strips, near)) return false;
-    double area = 0, filled = 0;
-    const Contour* within = nullptr;
-    for (const Contour& contour : contours) {
-      if (contour.layer == layer || !roughly_inside(named.part, contour.inner)) continue;
-      within = &contour;
-      area += contour.area;
-      filled += contour.filled;
-    }
+    const Covered covered = covered_by(named.part, layer, contours);
     const double own = area_of(named.part), slack = near * length_of(boundary);
-    if (!within || own < area - slack || own > filled + slack) return false;
-    Repeated& here = repeated[{layer, within->layer}];
+    if (!covered.last || own < covered.area - slack || own > covered.filled + slack) return false;
+    Repeated& here = repeated[{layer, covered.last->layer}];
     if (here.same + here.covering == 0) here.first = named.place;
-    ++(own <= area + slack ? here.same : here.covering);
+    ++(own <= covered.area + slack ? here.same : here.covering);
     return true;
   };
   for (std::size_t k = 0; k < parts_.size(); ++k)
     std::erase_if(parts_[k], [&](const Named& named) { return repeats(named, k); });
-  for (const auto& [layers, count] : repeated) {
-    const std::size_t n = count.same + count.covering;
-    file_.notes.push_back(fmt::format(
-        "layer {}: {} of layer {}, the first one at {}: the same part, and no body of its own{} (--by layer keeps "
-        "layers apart)",
-        layer_title(drawing.layers[layers.first].name),
-        n == 1 ? "1 filled shape follows contours" : fmt::format("{} filled shapes follow contours", n),
-        layer_title(drawing.layers[layers.second].name), count.first,
-        count.covering > 0 ? "; holes that are covered are holes" : ""));
-  }
+  for (const auto& [layers, fillings] : repeated)
+    file_.notes.push_back(text_of(fillings, drawing.layers[layers.first].name, drawing.layers[layers.second].name));
 }
 
 /// Layers may lie on each other, but two bodies of one shape at one place are rarely meant.
