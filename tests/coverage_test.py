@@ -6,6 +6,7 @@ pairs are excluded, and why, is counted here from what the scene was made of. Th
 
 * JSON: coverage is just that, its parts add up, and the outcome is "untested" if and only if nothing is left to test.
 * Text: if pairs were not tested, one of the first two lines says so; "free" and what is like it are said of nothing else.
+* Limits that are reached at once: nothing is counted as tested, and no pair disappears from what is counted.
 * Exit codes: 2 where nothing was tested, 0 with --allow-untested; 3 where a limit ended the run, with UNDECIDED first.
 
 usage: coverage_test.py TAUT [SCENES]
@@ -115,7 +116,7 @@ class Judge:
             self.expect(args, self.run(*args, "--allow-untested")[0] == 0, "--allow-untested")
         self.judge_json(args, count, nothing)
         if no_time:
-            self.judge_stopped(args, nothing)
+            self.judge_stopped(args, count, nothing)
         if question[0] == "prove":
             self.judge_proof(args, code, nothing, untested)
 
@@ -127,14 +128,20 @@ class Judge:
         self.expect(args, (answer["outcome"] == "untested") == nothing, answer["outcome"])
         self.expect(args, not nothing or "nothing was tested" in answer.get("reason", ""), str(answer))
 
-    def judge_stopped(self, args, nothing):
-        """A limit that is reached at once."""
+    def judge_stopped(self, args, count, nothing):
+        """A limit that is reached at once: pairs are counted nevertheless, and none as tested."""
         if nothing:
             return
-        code, text, _ = self.run(*args, "--max-seconds", "0")
-        # What is decided before the clock is looked at may be said.
-        if code == 3:
-            self.expect(args, text.startswith("UNDECIDED"), f"stopped: {text}")
+        stopped = [*args, "--max-seconds", "0"]
+        code, text, _ = self.run(*stopped)
+        # What boxes decide before the clock is looked at may be said.
+        by_boxes = args[0] in ("intervals", "range") and code == 0
+        self.expect(stopped, by_boxes or (code == 3 and text.startswith("UNDECIDED")), text)
+        self.expect(stopped, by_boxes or "NOT TESTED" in "\n".join(text.splitlines()[:2]), text)
+        coverage = json.loads(self.run(*stopped, "--json")[1])["coverage"]
+        self.expect(stopped, all(coverage[key] == count[key] for key in ("pairs", "ignored")), f"{coverage}, not {count}")
+        self.expect(stopped, sum(coverage.values()) == 2 * coverage["pairs"], f"{coverage} does not add up")
+        self.expect(stopped, coverage["tested"] == 0 and by_boxes == (coverage["not_reached"] == 0), str(coverage))
 
     def judge_proof(self, args, code, nothing, untested):
         if nothing or code != 0:

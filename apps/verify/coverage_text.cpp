@@ -16,6 +16,7 @@ std::string coverage_text(const Coverage& c) {
   add(c.layers, "on different layers");
   add(c.at_rest, "at rest");
   add(c.moving_alike, "moving alike");
+  add(c.not_reached, "not reached");
   if (left_out.empty()) return text + "\n";
   const char* const hint = c.at_rest + c.moving_alike > 0 ? " (--at-rest test)" : "";
   return text + "; NOT TESTED: " + left_out + hint + "\n";

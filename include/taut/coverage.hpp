@@ -14,11 +14,12 @@ struct Coverage {
   std::uint64_t moving_alike = 0;  ///< not tested: both bodies have the same motion, see Scene::at_rest
   std::uint64_t at_rest = 0;       ///< not tested: neither body moves, see Scene::at_rest
   std::uint64_t layers = 0;        ///< not tested: the bodies have no layer in common, see Body::z, and never meet
+  std::uint64_t not_reached = 0;   ///< not tested: a limit or an interruption came first
 
   /// Pairs about which the answer says nothing.
-  std::uint64_t untested() const { return ignored + moving_alike + at_rest + layers; }
-  /// True if there is no pair about which the answer could say anything.
-  bool is_empty() const { return untested() == pairs; }
+  std::uint64_t untested() const { return ignored + moving_alike + at_rest + layers + not_reached; }
+  /// True if the question is about no pair, however long it takes.
+  bool is_empty() const { return untested() - not_reached == pairs; }
 };
 
 }  // namespace taut

@@ -75,7 +75,7 @@ struct Standing {
   std::optional<std::pair<double, double>> overlap;
   std::optional<std::pair<int, int>> pair;
   std::vector<std::string> also;          ///< each a JSON object as in an answer
-  std::array<std::uint64_t, 7> coverage;  ///< in the order of taut::Coverage
+  std::array<std::uint64_t, 8> coverage;  ///< in the order of taut::Coverage
 };
 
 /// A simulation that several threads of Python may hold: they take turns. After Ctrl-C it is undecided.
@@ -111,7 +111,7 @@ class LiveSimulation {
                    {},
                    {}};
     const taut::Coverage c = s.coverage();
-    found.coverage = {c.pairs, c.tested, c.apart, c.ignored, c.moving_alike, c.at_rest, c.layers};
+    found.coverage = {c.pairs, c.tested, c.apart, c.ignored, c.moving_alike, c.at_rest, c.layers, c.not_reached};
     if (s.contact()) found.contact = taut::internal::io::contact_json(scene_, *s.contact());
     if (s.overlap_point()) found.overlap.emplace(s.overlap_point()->x, s.overlap_point()->y);
     if (const auto pair = s.pair()) found.pair.emplace((*pair)[0], (*pair)[1]);

@@ -47,7 +47,7 @@ def untested_text(coverage: Coverage) -> str:
     if coverage.untested == 0:
         return ""
     counts = ((coverage.ignored, "ignored"), (coverage.moving_alike, "moving alike"), (coverage.at_rest, "at rest"),
-              (coverage.layers, "on different layers"))
+              (coverage.layers, "on different layers"), (coverage.not_reached, "not reached"))
     why = ", ".join(f"{count} {word}" for count, word in counts if count > 0)
     return f"not tested: {coverage.untested} of {coverage.pairs} pair{'' if coverage.pairs == 1 else 's'} ({why})"
 

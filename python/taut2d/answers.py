@@ -103,7 +103,7 @@ class Coverage:
     ``tested``: examined by an engine. ``apart``: kept apart by bounding boxes, as far as the answer goes. Nothing is said
     of the others: ``ignored``: Scene.ignore excludes them; ``moving_alike``: both bodies have the same motion;
     ``at_rest``: neither moves (see Scene.at_rest for these two); ``layers``: they have no layer in common (see Body.z), and
-    never meet.
+    never meet; ``not_reached``: a limit or an interruption came first.
     """
 
     pairs: int
@@ -113,11 +113,12 @@ class Coverage:
     moving_alike: int
     at_rest: int
     layers: int
+    not_reached: int = 0
 
     @property
     def untested(self) -> int:
         """The number of pairs about which the answer says nothing."""
-        return self.ignored + self.moving_alike + self.at_rest + self.layers
+        return self.ignored + self.moving_alike + self.at_rest + self.layers + self.not_reached
 
 
 @dataclass(frozen=True)

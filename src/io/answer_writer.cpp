@@ -22,6 +22,7 @@ void AnswerWriter::coverage(const Coverage& c) {
     member("moving_alike", c.moving_alike);
     member("at_rest", c.at_rest);
     member("layers", c.layers);
+    member("not_reached", c.not_reached);
   });
 }
 

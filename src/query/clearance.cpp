@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 
 #include "certificate/feature_map.hpp"
@@ -36,8 +37,8 @@ class ClearanceSearch {
     tolerance_ = {options.relative * 0.99, 0.99e-12 * instance_.largest()};
   }
 
-  /// The coverage as if engines had examined every pair that the query includes.
-  Coverage all_tested() const { return instance_.coverage(instance_.coverage(0).apart); }
+  /// The coverage if the search stops here.
+  Coverage when_stopped() const { return coverage_when_stopped(instance_.coverage(0), instance_.scene_pairs(searched_)); }
 
   Clearance run() {
     answer_.coverage = instance_.coverage(0);
@@ -190,19 +191,22 @@ Clearance clearance(const Scene& scene, const ClearanceOptions& options) {
                      "1e-9 is usual; doubles do not resolve more than 1e-12");
   if (has_curves(scene)) return clearance_of_curves(scene, options);
   const Budget scope(options.limits);
-  Clearance answer;
+  std::optional<ClearanceSearch> search;
+  std::string stopped;
   try {
-    const std::string stopped = what_stops([&] {
+    std::optional<Clearance> answer;
+    stopped = what_stops([&] {
       validate_polygons(scene);
-      ClearanceSearch search(scene, options);
-      answer.coverage = search.all_tested();
-      answer = search.run();
+      answer = search.emplace(scene, options).run();
     });
-    if (!stopped.empty()) answer.reason = stopped;
+    if (answer) return *answer;
   } catch (const TouchUndecided& limit) {
-    answer.reason = limit.reason;
+    stopped = limit.reason;
   }
-  return answer;
+  Clearance undecided;
+  undecided.coverage = search ? search->when_stopped() : coverage_before_search(scene);
+  undecided.reason = stopped;
+  return undecided;
 }
 
 }  // namespace taut

@@ -9,6 +9,7 @@
 #include "numeric/errors.hpp"
 #include "numeric/undecided.hpp"
 #include "query/curved_questions.hpp"
+#include "scene/untested.hpp"
 #include "scene/validate_scene.hpp"
 #include "solver/distance_curve.hpp"
 #include "solver/run.hpp"
@@ -164,7 +165,7 @@ DistanceProfile profile_of_polygons(const Scene& scene, const ProfileOptions& op
   DistanceProfile answer;
   answer.outcome = touching.outcome;
   answer.reason = touching.reason;
-  answer.coverage = touching.coverage;
+  answer.coverage = coverage_when_stopped(touching.coverage, touching.coverage.tested);
   if (touching.outcome == Outcome::undecided || touching.outcome == Outcome::untested) return answer;
   const Budget scope(options.limits);
   const auto search = [&] { answer = ProfileSearch(scene, options, only_instants).run(touching); };

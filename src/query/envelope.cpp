@@ -103,9 +103,11 @@ class EnvelopeSearch {
         report_share(answer_.free + answer_.colliding + answer_.undecided);
         look(queue_.front());
         queue_.pop_front();
+        looked_ = true;
       }
     } catch (const Interrupted& limit) {
       answer_.reason = limit.reason;
+      if (!looked_) answer_.coverage = coverage_when_stopped(answer_.coverage, 0);
       for (const OpenCell& cell : queue_) note(cell, CellState::undecided, bodies_of(cell.pairs.front()));
     }
     conclude();
@@ -300,6 +302,7 @@ class EnvelopeSearch {
   std::vector<std::unique_ptr<LinkedPair>> pairs_;  ///< that joints move against each other
   std::optional<std::array<BodyId, 2>> overlap_;    ///< of bodies that are fixed to each other, if they are tested
   std::deque<OpenCell> queue_;
+  bool looked_ = false;  ///< at a cell, and so at all pairs
   Envelope answer_;
 };
 
@@ -311,11 +314,13 @@ Envelope envelope(const Linkage& linkage, const EnvelopeOptions& options) {
   const Budget scope(options.limits);
   Envelope answer;
   try {
+    scope.check();
     validate(linkage);
     return EnvelopeSearch(linkage, options).run();
   } catch (const Interrupted& limit) {
     answer.reason = limit.reason;
   }
+  answer.coverage = coverage_before_search(linkage.scene);
   answer.undecided = 1;
   return answer;
 }

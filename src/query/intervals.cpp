@@ -43,12 +43,15 @@ std::vector<OverlapInterval> united(std::vector<OverlapInterval> all) {
   return one;
 }
 
-/// `sections` are those pairs of cross-sections of two bodies that come near each other.
+/// `sections` are those pairs of cross-sections of two bodies that come near each other. The bodies count as tested if
+/// their search begins within the limits.
 void search_pair(const Instance& instance, const std::vector<PairStretches>& sections, Offset offset, bool plain,
-                 Intervals& answer) {
+                 const Budget& scope, Intervals& answer) {
   const std::array<BodyId, 2> pair = instance.scene_pair(sections[0].first.first, sections[0].first.second);
   std::vector<OverlapInterval> found;
   const std::string stopped = what_stops([&] {
+    scope.check();
+    ++answer.coverage.tested;
     for (const auto& [bodies, near] : sections) {
       for (OverlapInterval& own : overlap_intervals(instance, bodies.first, bodies.second, near, offset, plain)) {
         own.pair = pair;
@@ -96,6 +99,7 @@ Intervals intervals(const Scene& scene, const CheckOptions& options) {
   for (const auto& [pair, stretches] : near.pairs())
     by_pair[instance.scene_pair(pair.first, pair.second)].emplace_back(pair, single ? throughout : stretches);
   answer.coverage = instance.coverage(by_pair.size());
+  answer.coverage.tested = 0;
   if (answer.coverage.is_empty()) {
     answer.outcome = Outcome::untested;
     answer.reason = why_untested(answer.coverage);
@@ -104,8 +108,9 @@ Intervals intervals(const Scene& scene, const CheckOptions& options) {
   std::uint64_t searched = 0;
   for (const auto& [pair, sections] : by_pair) {
     report_parts("pairs", searched++, by_pair.size());
-    search_pair(instance, sections, offset_for(options.touch), single, answer);
+    search_pair(instance, sections, offset_for(options.touch), single, scope, answer);
   }
+  answer.coverage.not_reached = near.pairs().size() - answer.coverage.tested;
   conclude(answer);
   return answer;
 }
@@ -140,8 +145,13 @@ std::optional<CurveGeometry> geometry_of_range(const std::optional<CurveGeometry
 /// The coverage for the whole time: a pair may be at rest, and not be tested, on one side of the instant only.
 Coverage coverage_of_range(const Scene& scene, const Intervals& before, const Intervals& after) {
   const Instance instance(has_curves(scene) ? CurvedWorld(scene).polygons(CurveSide::outer) : scene);
-  return instance.coverage(
-      std::min(instance.coverage(0).apart, std::max(before.coverage.tested, after.coverage.tested)));
+  const std::uint64_t asked = instance.coverage(0).apart;
+  const std::uint64_t not_reached = std::min(asked, std::max(before.coverage.not_reached, after.coverage.not_reached));
+  Coverage coverage =
+      instance.coverage(std::min(asked - not_reached, std::max(before.coverage.tested, after.coverage.tested)));
+  coverage.apart -= not_reached;
+  coverage.not_reached = not_reached;
+  return coverage;
 }
 
 }  // namespace

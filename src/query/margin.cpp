@@ -1,6 +1,8 @@
 // Whether bodies keep a clearance, and the first time at which they do not.
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <tuple>
 
 #include "certificate/feature_map.hpp"
 #include "numeric/budget.hpp"
@@ -38,10 +40,10 @@ class MarginSearch {
     if (instance_.coverage(0).is_empty()) return untested();
     const std::vector<std::pair<int, int>> near = CoarseBoxes(instance_).pairs_within(margin_);
     answer_.coverage = instance_.coverage(instance_.scene_pairs(near));
-    std::uint64_t asked = 0;
     for (const auto& [a, b] : near) {
       checkpoint();
-      report_parts("pairs", asked++, near.size());
+      report_parts("pairs", asked_.size(), near.size());
+      asked_.emplace_back(a, b);
       ask(a, b);
     }
     keep_first_of_each_pair(answer_.pairs);
@@ -49,6 +51,9 @@ class MarginSearch {
     take_first();
     return std::move(answer_);
   }
+
+  /// The coverage if the search stops here.
+  Coverage when_stopped() const { return coverage_when_stopped(instance_.coverage(0), instance_.scene_pairs(asked_)); }
 
  private:
   MarginAnswer untested() {
@@ -222,6 +227,7 @@ class MarginSearch {
   double clearance_, margin_;  ///< in the scene's units, and in internal units
   Offset offset_;
   double stop_;
+  std::vector<std::pair<int, int>> asked_;  ///< so far
   std::vector<PairMargin> events_;
   MarginAnswer answer_;
 };
@@ -233,13 +239,15 @@ MarginAnswer check_clearance(const Scene& scene, double clearance, const CheckOp
     throw InputError("clearance", "it is not a positive number", "check() asks whether bodies touch");
   if (has_curves(scene)) return check_clearance_of_curves(scene, clearance, options);
   const Budget scope(options.limits);
+  std::optional<MarginSearch> search;
   MarginAnswer answer;
   try {
     validate_polygons(scene);
-    return MarginSearch(scene, clearance, options).run();
+    return search.emplace(scene, clearance, options).run();
   } catch (const Interrupted& limit) {
     answer.reason = limit.reason;
   }
+  answer.coverage = search ? search->when_stopped() : coverage_before_search(scene);
   answer.outcome = Outcome::undecided;
   answer.free_until = scene.start;
   return answer;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 #include <numeric>
+#include <set>
 
 #include "numeric/budget.hpp"
 #include "numeric/errors.hpp"
@@ -34,6 +35,9 @@ class SeparationSearch {
   /// The bodies stand still, so it does not matter which of them move alike later.
   Coverage coverage() const { return instance_.coverage_of_all_groups(); }
 
+  /// The coverage if the search stops here.
+  Coverage when_stopped() const { return coverage_when_stopped(coverage(), held_.size()); }
+
   Separation run() {
     Separation answer;
     answer.coverage = coverage();
@@ -62,13 +66,14 @@ class SeparationSearch {
     return answer.bodies.size() == 1 ? answer.bodies[0].free.empty() : !answer.stuck.empty();
   }
 
-  std::optional<std::array<BodyId, 2>> overlap() const {
+  std::optional<std::array<BodyId, 2>> overlap() {
     const int n = static_cast<int>(standing_.size());
     for (int a = 0; a < n; ++a) {
       report_parts("bodies held against the others", static_cast<std::uint64_t>(a), standing_.size());
       for (int b = a + 1; b < n; ++b) {
         checkpoint();
         if (instance_.excluded(a, b)) continue;
+        held_.insert(instance_.scene_pair(a, b));
         const PairInstance pair(instance_, a, b, Offset::inward);
         if (spacetime::overlapping(pair.geometry, pair.trees(), pair.segments()[0], instance_.start()))
           return instance_.scene_pair(a, b);
@@ -159,7 +164,8 @@ class SeparationSearch {
   Instance instance_;
   double travel_;
   std::vector<std::unique_ptr<const StandingBody>> standing_;
-  std::vector<int> left_;  ///< bodies that have not been removed
+  std::vector<int> left_;                 ///< bodies that have not been removed
+  std::set<std::array<BodyId, 2>> held_;  ///< pairs that were held against each other
 };
 
 }  // namespace
@@ -169,14 +175,15 @@ Separation separate(const Scene& scene, const SeparateOptions& options) {
     throw InputError("travel", "bodies move farther than nothing", "give a length > 0, or none for any distance");
   if (has_curves(scene)) return separate_curves(scene, options);
   const Budget scope(options.limits);
+  std::optional<SeparationSearch> search;
   Separation answer;
   const std::string stopped = what_stops([&] {
     validate_polygons(scene);
-    SeparationSearch search(scene, options.travel);
-    answer.coverage = search.coverage();
-    answer = search.run();
+    answer = search.emplace(scene, options.travel).run();
   });
-  if (!stopped.empty()) answer.reason = stopped;
+  if (stopped.empty()) return answer;
+  answer.coverage = search ? search->when_stopped() : coverage_before_search(scene);
+  answer.reason = stopped;
   return answer;
 }
 

@@ -32,4 +32,13 @@ bool IgnoredPairs::has(int a, int b) const {
   return !pairs_.empty() && std::binary_search(pairs_.begin(), pairs_.end(), std::pair(std::min(a, b), std::max(a, b)));
 }
 
+std::uint64_t IgnoredPairs::count() const {
+  const auto pairs_of = [](std::uint64_t n) { return n < 2 ? 0 : n * (n - 1) / 2; };
+  const std::uint64_t n = all_.size();
+  const auto single = std::count_if(pairs_.begin(), pairs_.end(),
+                                    [&](const auto& pair) { return !has_all(pair.first) && !has_all(pair.second); });
+  const auto listening = std::count(all_.begin(), all_.end(), false);
+  return pairs_of(n) - pairs_of(static_cast<std::uint64_t>(listening)) + static_cast<std::uint64_t>(single);
+}
+
 }  // namespace taut::internal

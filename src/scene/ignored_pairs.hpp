@@ -1,6 +1,7 @@
 // Which pairs of bodies a scene does not ask about.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <utility>
@@ -23,6 +24,8 @@ class IgnoredPairs {
   bool has(int a, int b) const;
   /// Is the body ignored by every other one?
   bool has_all(int body) const { return all_[static_cast<std::size_t>(body)]; }
+  /// The number of pairs that are ignored.
+  std::uint64_t count() const;
   /// Those given one by one: in order, each once, with the smaller index first.
   const std::vector<std::pair<int, int>>& pairs() const { return pairs_; }
 

@@ -1,5 +1,10 @@
 #include "scene/untested.hpp"
 
+#include <algorithm>
+
+#include "scene/ignored_pairs.hpp"
+#include "scene/validate_scene.hpp"
+
 namespace taut::internal {
 namespace {
 
@@ -26,6 +31,24 @@ std::string why_untested(const Coverage& c) {
   if (c.ignored + c.layers == c.pairs)
     return start + parts + R"(; give bodies a layer in common, by their "z", or take pairs out of "ignore")";
   return start + parts + R"(; take pairs out of "ignore", or test those at rest with "at_rest": "test")";
+}
+
+Coverage coverage_before_search(const Scene& scene) {
+  validate_ignored(scene);
+  Coverage coverage;
+  const std::uint64_t n = scene.bodies.size();
+  coverage.pairs = n < 2 ? 0 : n * (n - 1) / 2;
+  coverage.ignored = IgnoredPairs(scene).count();
+  coverage.not_reached = coverage.pairs - coverage.ignored;
+  return coverage;
+}
+
+Coverage coverage_when_stopped(Coverage c, std::uint64_t tested) {
+  const std::uint64_t asked = c.tested + c.apart + c.not_reached;
+  c.tested = std::min(tested, asked);
+  c.apart = 0;
+  c.not_reached = asked - c.tested;
+  return c;
 }
 
 }  // namespace taut::internal

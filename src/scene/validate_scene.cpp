@@ -132,6 +132,8 @@ void validate_ignored(const Scene& scene, const Names& names) {
 
 }  // namespace
 
+void validate_ignored(const Scene& scene) { validate_ignored(scene, names_of(scene)); }
+
 bool is_ring_pair(const Scene& scene) {
   const auto polygon = [](const Body& body) {
     return body.parts.empty() && body.curves.empty() && body.relative_to.empty();

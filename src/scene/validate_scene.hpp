@@ -12,6 +12,9 @@ namespace taut::internal {
 /// bodies exist, chains of parents end, and time and motions are as validate() requires. Refuses curves.
 void validate_polygons(const Scene& scene);
 
+/// Throws InputError unless the bodies' names differ and ignored bodies exist.
+void validate_ignored(const Scene& scene);
+
 /// Is the scene one pair of simple polygons in the world's frame: two bodies without parts, which are tested?
 bool is_ring_pair(const Scene& scene);
 /// Throws InputError unless it is. `use` says what requires it, as in "a trace".

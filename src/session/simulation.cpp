@@ -74,7 +74,7 @@ const std::string& Simulation::reason() const { return usable().why_undecided();
 
 Coverage Simulation::coverage() const {
   const Impl& impl = usable();
-  return impl.world ? impl.world->coverage() : Coverage{};
+  return impl.world ? impl.world->coverage() : impl.unreached;
 }
 
 double Simulation::time() const {

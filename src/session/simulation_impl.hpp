@@ -7,6 +7,7 @@
 
 #include "numeric/budget.hpp"
 #include "numeric/undecided.hpp"
+#include "scene/untested.hpp"
 #include "session/world_simulation.hpp"
 #include "taut/error.hpp"
 #include "taut/simulation.hpp"
@@ -20,6 +21,7 @@ struct Simulation::Impl final : KineticObserver {
       world = std::make_unique<WorldSimulation>(scene, options.touch, options.max_events, this);
       if (options.tracer) only_pair();
     });
+    if (!world) unreached = coverage_before_search(scene);
   }
 
   void on_event(const KineticSolver& solver, const EngineEvent& event) override;
@@ -71,6 +73,7 @@ struct Simulation::Impl final : KineticObserver {
   bool broken = false;
   std::string reason;  ///< why it is undecided, or empty
   double start;
+  Coverage unreached;  ///< without a world
   RepairReport last;
   std::unique_ptr<WorldSimulation> world;  ///< null if a limit ended its construction
 };

@@ -148,6 +148,8 @@ class MapRun {
     answer.coverage = coverage();
     answer.coverage.tested = search.tested();
     answer.coverage.apart -= search.tested();
+    if (!stopped.empty() && !(search.proved() > start_))
+      answer.coverage = coverage_when_stopped(answer.coverage, search.tested());
     if (!answer.coverage.is_empty()) return;
     answer.outcome = Outcome::untested;
     answer.reason = why_untested(answer.coverage);

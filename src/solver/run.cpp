@@ -30,9 +30,6 @@ Run::Run(const Scene& scene, const CheckOptions& options, KineticObserver* obser
   if (is_ring_pair(scene)) choice_.first_slice = PortfolioMember::first_turn;
   answer_.engine = options.engine == EngineChoice::kinetic ? EngineName::kinetic : EngineName::spacetime;
   answer_.free_until = scene.start;
-  // All that is known of the coverage if a limit ends the run at once.
-  const std::uint64_t n = scene.bodies.size();
-  answer_.coverage.pairs = n < 2 ? 0 : n * (n - 1) / 2;
 }
 
 void Run::run() {
@@ -71,9 +68,7 @@ void Run::leave_untested() {
 
 void Run::conclude() {
   std::vector<PairEvent> events = pairs();
-  // Pairs that no engine was asked about are apart.
-  answer_.coverage.tested = events.size();
-  answer_.coverage.apart -= events.size();
+  conclude_coverage(events.size());
   if (options_.all_pairs && stopped_.empty()) {
     answer_.pairs.emplace();
     for (const PairEvent& event : events) answer_.pairs->push_back(event.pair);
@@ -92,6 +87,17 @@ void Run::conclude() {
     answer_.overlap_point = common_point(*instance_, *answer_.pair);
   name_engine();
   if (answer_.outcome == Outcome::undecided && scene_.bodies.size() == 2) answer_.pair = {0, 1};
+}
+
+/// Pairs that no engine was asked about are apart, as far as the search went.
+void Run::conclude_coverage(std::uint64_t tested) {
+  if (!instance_) {
+    answer_.coverage = coverage_before_search(scene_);
+  } else if (!stopped_.empty() && !(search_ && search_->proved() > scene_.start)) {
+    answer_.coverage = coverage_when_stopped(instance_->coverage(0), tested);
+  } else {
+    answer_.coverage = instance_->coverage(tested);
+  }
 }
 
 /// The results of the pairs that went to an engine; if they went to two, the common result. Throws EngineDisagreement.

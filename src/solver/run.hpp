@@ -34,6 +34,7 @@ class Run {
   void prepare();
   void leave_untested();
   void conclude();
+  void conclude_coverage(std::uint64_t tested);
   std::vector<PairEvent> pairs() const;
   void name_engine();
   bool leaves_touching_open() const;

@@ -34,7 +34,7 @@ TEST(AnswerJson, OfAContactIsExactlyThis) {
       answer_json(two_bodies(), contact_answer(), Touch::open),
       R"({"outcome":"contact","t":[0.1,0.25],"contact":{"vertex":{"body":"lid","index":2},)"
       R"("edge":{"body":"the \"bin\"","index":1},"point":[12.5,-3],"normal":[0,1]},"pair":["lid","the \"bin\""],)"
-      R"("coverage":{"pairs":1,"tested":1,"apart":0,"ignored":0,"moving_alike":0,"at_rest":0,"layers":0},"engine":"kinetic",)"
+      R"("coverage":{"pairs":1,"tested":1,"apart":0,"ignored":0,"moving_alike":0,"at_rest":0,"layers":0,"not_reached":0},"engine":"kinetic",)"
       R"("events":212,"certificates":{"initial":7,"max":30},)"
       R"("scope":{"bodies":["lid","the \"bin\""],"time":[0,2.5],"touch":"open"}})");
 }

@@ -62,6 +62,7 @@ export interface Coverage {
   moving_alike: number;
   at_rest: number;
   layers: number;
+  not_reached: number;
 }
 
 export type Outcome = "free" | "contact" | "overlap_at_start" | "undecided" | "untested";

@@ -61,7 +61,7 @@ export function clockText(t: number, scene: Scene): string {
 }
 
 /** The number of pairs about which an answer says nothing. */
-export const untested = (c: Coverage): number => c.ignored + c.moving_alike + c.at_rest + c.layers;
+export const untested = (c: Coverage): number => c.ignored + c.moving_alike + c.at_rest + c.layers + c.not_reached;
 
 export function headline(answer: Answer, running: boolean): string {
   switch (answer.outcome) {
@@ -120,6 +120,7 @@ export function coverageText(c: Coverage): string {
     ...some(c.at_rest, "at rest"),
     ...some(c.moving_alike, "moving alike"),
     ...some(c.layers, "on different layers"),
+    ...some(c.not_reached, "not reached"),
   ];
   return `${c.pairs} ${c.pairs === 1 ? "pair" : "pairs"}: ${said}${not.length > 0 ? `; not tested: ${not.join(", ")}` : ""}.`;
 }

@@ -136,6 +136,8 @@ export interface Coverage {
   at_rest: number;
   /** The bodies have no layer in common, and never meet. */
   layers: number;
+  /** A limit or an interruption came first. */
+  not_reached: number;
 }
 
 /** What every answer has. */
