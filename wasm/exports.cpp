@@ -131,6 +131,8 @@ const char* outcome_state(Outcome outcome) {
       return "contact";
     case Outcome::overlap_at_start:
       return "overlap_at_start";
+    case Outcome::closer_at_start:
+      return "closer_at_start";
     case Outcome::untested:
       return "untested";
     case Outcome::undecided:

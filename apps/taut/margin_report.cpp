@@ -33,7 +33,9 @@ std::string proved_margin_in_words(const Scene& scene, const PairMargin& pair) {
 
 /// One pair of all.
 std::string pair_line(const Scene& scene, const PairMargin& pair) {
-  const std::string at = pair.outcome == Outcome::contact ? "   t = " + time_text(pair.time) : "";
+  std::string at;
+  if (pair.outcome == Outcome::contact) at = "   t = " + time_text(pair.time);
+  if (pair.outcome == Outcome::closer_at_start) at = fmt::format("   {:.9g} apart", pair.nearest->hi);
   return fmt::format("    {:<16}  {}{}\n", to_string(pair.outcome), margin_subject(scene, pair), at);
 }
 
@@ -54,7 +56,9 @@ std::string margin_in_words(const Scene& scene, double clearance, const MarginAn
     text = fmt::format("CONTACT  {}   {} {:.9g} at t = {}\n", pair,
                        first.time.hi <= scene.start ? "as close as" : "closer than", clearance, time_text(first.time));
   if (first.outcome == Outcome::overlap_at_start)
-    text = fmt::format("OVERLAP AT START  {}   closer than {:.9g} at t = {}\n", pair, clearance, scene.start);
+    text = fmt::format("OVERLAP AT START  {}   t = {}\n", pair, scene.start);
+  if (first.outcome == Outcome::closer_at_start)
+    text = fmt::format("CLOSER AT START  {}   closer than {:.9g} at t = {}\n", pair, clearance, scene.start);
   if (first.outcome == Outcome::undecided) text = fmt::format("UNDECIDED  {}\n", pair);
   text += coverage;
   if (first.outcome == Outcome::undecided) text += fmt::format("  at t = {} {}\n", first.free_until, first.reason);

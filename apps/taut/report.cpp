@@ -33,6 +33,8 @@ std::string headline(const Scene& scene, const Answer& answer) {
       return "UNDECIDED  " + pair;
     case Outcome::untested:
       return "UNTESTED  " + pair;
+    case Outcome::closer_at_start:  // is no answer of check()
+      break;
   }
   return pair;
 }

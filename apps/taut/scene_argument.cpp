@@ -67,6 +67,7 @@ int exit_code(Outcome outcome, bool allow_untested) {
       return exit_free;
     case Outcome::contact:
     case Outcome::overlap_at_start:
+    case Outcome::closer_at_start:
       return exit_contact;
     case Outcome::undecided:
       return exit_undecided;

@@ -50,6 +50,7 @@ std::string ending_of(const Scene& scene, const Answer& answer) {
       return fmt::format("undecided from t = {:.6g}", answer.free_until);
     case Outcome::untested:
       return scene.bodies.size() == 1 ? "" : "nothing was tested";
+    case Outcome::closer_at_start:  // is no answer of check()
     case Outcome::free:
       break;
   }

@@ -60,8 +60,8 @@ struct CloseFeatures {
 /// What is known of one pair of bodies and a clearance that it should keep.
 struct PairMargin {
   std::array<BodyId, 2> bodies{};  ///< in the order of the scene
-  /// contact: they come closer (`closed` touching: as close), first within `time`. overlap_at_start: they are at the
-  /// start. undecided: the highest precision does not decide, or a limit was reached.
+  /// contact: they come closer (`closed` touching: as close), first within `time`. closer_at_start, overlap_at_start:
+  /// they are, or even overlap, at the start. undecided: the highest precision does not decide, or a limit was reached.
   Outcome outcome = Outcome::free;
   TimeInterval time;  ///< of a contact: encloses the instant, as that of check() does
   /// As of a contact of check(): the bracket is wider than the clock is fine, since they come closer so slowly.

@@ -27,8 +27,8 @@ namespace taut {
 Answer prove(const Scene& scene, std::ostream& log, const CheckOptions& options = {});
 
 /// Answers as check_clearance() does, and writes a log of separations for `free` and `contact`, and for what an
-/// `undecided` run has proved; nothing for `overlap_at_start`. Where no proof was found, the answer is `undecided`, and
-/// says so. Throws InputError.
+/// `undecided` run has proved; nothing if bodies are closer, or overlap, at the start. Where no proof was found, the
+/// answer is `undecided`, and says so. Throws InputError.
 MarginAnswer prove_clearance(const Scene& scene, double clearance, std::ostream& log, const CheckOptions& options = {});
 
 /// A SHA-256 digest.

@@ -8,13 +8,13 @@ from typing import Any, Optional
 
 from ._verdict import Undivided, Verdict, instant, names
 from .answers import Coverage, EdgeRef, Interval, Point, VertexRef, _floats, _pair
-from .words import OutcomeWord
+from .words import MarginOutcome
 
 
 @dataclass(frozen=True)
 class PairMargin:
     """One pair and the clearance. ``outcome``: "free": always kept. "contact": they first come closer (with
-    ``touch="closed"``: as close) within ``t``. "overlap_at_start": they are at the start. "undecided": the highest
+    ``touch="closed"``: as close) within ``t``. "closer_at_start", "overlap_at_start": they are, or even overlap, at the start. "undecided": the highest
     precision does not tell, or a limit was reached: see ``reason``.
 
     Of a contact, ``vertex`` and either ``edge`` or ``other_vertex`` are the features that come so close; ``grazing``:
@@ -23,7 +23,7 @@ class PairMargin:
     """
 
     bodies: tuple[str, str]
-    outcome: OutcomeWord
+    outcome: MarginOutcome
     t: Optional[Interval] = None
     grazing: bool = False
     vertex: Optional[VertexRef] = None
@@ -49,7 +49,7 @@ class MarginAnswer(Verdict):
     ``also``: others that do at the same time, as far as is known. ``pairs``: every pair, if they were asked for.
     ``json`` is what ``taut check --clearance C --json`` prints."""
 
-    outcome: OutcomeWord
+    outcome: MarginOutcome
     clearance: float
     first: Optional[PairMargin]
     also: tuple[PairMargin, ...]
@@ -68,6 +68,8 @@ class MarginAnswer(Verdict):
         if first is None:
             who = "all bodies keep" if self.coverage.untested == 0 else "bodies of the tested pairs keep"
             return f"{who} a distance of {least}", ""
+        if self.outcome == "overlap_at_start":
+            return f"{names(first.bodies)} overlap at the start", ""
         known = f"{names(first.bodies)} do not keep a distance of {least}"
         return f"{known} at {'the start' if first.t is None else instant(first.t)}", _nearest_text(first)
 

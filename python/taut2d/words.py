@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Literal
 
 __all__ = ["AtRest", "CellState", "ContactAt", "Crossing", "Engine", "EngineName", "FaceKind", "Faults", "FillRule",
-           "Grouping", "LengthUnit", "OpenLines", "OutcomeWord", "Pairs", "QuestionOutcome", "RangeOutcome",
+           "Grouping", "LengthUnit", "MarginOutcome", "OpenLines", "OutcomeWord", "Pairs", "QuestionOutcome", "RangeOutcome",
            "RepairKind", "SeparationOutcome", "Side", "SimulationState", "Touch", "VerifiedOutcome"]
 
 # What functions take.
@@ -23,6 +23,7 @@ LengthUnit = Literal["mm", "cm", "m", "um", "in", "ft", "mil", "pt", "px"]
 
 # What answers give.
 OutcomeWord = Literal["free", "contact", "overlap_at_start", "undecided", "untested"]
+MarginOutcome = Literal["free", "contact", "overlap_at_start", "closer_at_start", "undecided", "untested"]
 QuestionOutcome = Literal["free", "contact", "undecided", "untested"]
 RangeOutcome = Literal["free", "undecided", "untested"]
 SeparationOutcome = Literal["free", "locked", "overlap_at_start", "undecided", "untested"]

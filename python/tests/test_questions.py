@@ -111,7 +111,11 @@ def test_margins(taut, tmp_path):
     assert taut2d.check_clearance(far, 2).outcome == "free"
     at_start = taut2d.check_clearance(far, 2, touch="closed")
     assert at_start.outcome == "contact" and at_start.t == (0, 0)
-    assert taut2d.check_clearance(far, 2.5, pairs="all").pairs[0].outcome == "overlap_at_start"
+    closer = taut2d.check_clearance(far, 2.5, pairs="all")
+    assert closer.outcome == closer.pairs[0].outcome == "closer_at_start" and abs(closer.first.distance - 2) < 1e-9
+    assert str(closer).startswith("closer at start: a and b do not keep a distance of 2.5 at the start")
+    over = taut2d.Scene([far.bodies[0], taut2d.Body("b", [(0, 0), (1, 0), (1, 1)])], (0, 1))
+    assert str(taut2d.check_clearance(over, 2.5)) == "overlap at start: a and b overlap at the start"
     with pytest.raises(taut2d.InputError):
         taut2d.check_clearance(far, 0)
 

@@ -13,6 +13,8 @@ const char* to_string(Outcome outcome) {
       return "contact";
     case Outcome::overlap_at_start:
       return "overlap_at_start";
+    case Outcome::closer_at_start:
+      return "closer_at_start";
     case Outcome::untested:
       return "untested";
     case Outcome::undecided:

@@ -38,7 +38,9 @@ class ClearanceSearch {
   }
 
   /// The coverage if the search stops here.
-  Coverage when_stopped() const { return coverage_when_stopped(instance_.coverage(0), instance_.scene_pairs(searched_)); }
+  Coverage when_stopped() const {
+    return coverage_when_stopped(instance_.coverage(0), instance_.scene_pairs(searched_));
+  }
 
   Clearance run() {
     answer_.coverage = instance_.coverage(0);

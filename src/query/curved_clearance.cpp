@@ -243,10 +243,10 @@ class MarginBracket {
     const double wanted = options_.time_tolerance * (world_.scene().end - world_.scene().start);
     for (;;) {
       const MarginAnswer outer = ask(CurveSide::outer);
-      if (outer.outcome != Outcome::contact && outer.outcome != Outcome::overlap_at_start) return outer;
+      if (outer.outcome != Outcome::contact && !at_start(outer.outcome)) return outer;
       MarginAnswer inner = ask(CurveSide::inner);
       if (inner.outcome == Outcome::undecided) return inner;
-      if (inner.outcome == outer.outcome && is_narrow(outer, inner, wanted)) return concluded(outer, std::move(inner));
+      if (say_the_same(outer, inner) && is_narrow(outer, inner, wanted)) return concluded(outer, std::move(inner));
       CurvedWorld::Halvings marks = world_.no_halvings();
       const std::size_t count = mark(outer, marks) + mark(inner, marks);
       if (count == 0 || limit_.reached(world_) || !refine_marked(world_, std::move(marks), count))
@@ -263,8 +263,13 @@ class MarginBracket {
     return answer;
   }
 
+  /// If only polygons around the bodies overlap at the start, the bodies are closer all the same.
+  static bool say_the_same(const MarginAnswer& outer, const MarginAnswer& inner) {
+    return inner.outcome == outer.outcome || (at_start(inner.outcome) && at_start(outer.outcome));
+  }
+
   static bool is_narrow(const MarginAnswer& outer, const MarginAnswer& inner, double wanted) {
-    if (outer.outcome == Outcome::overlap_at_start) return true;
+    if (at_start(outer.outcome)) return true;
     const double own = 2 * (inner.first->time.hi - inner.first->time.lo);
     return inner.first->time.hi - outer.first->time.lo <=
            std::max({wanted, own, 0x1p-49 * std::fabs(inner.first->time.hi)});

@@ -21,6 +21,11 @@ struct CurvedContact {
 /// Like check_curved(), without `fit` and `all_pairs`.
 CurvedContact first_contact_of_curves(const Scene& scene, const CheckOptions& options);
 
+/// Of an answer about a clearance: are bodies closer, or do they even overlap, already at the start?
+inline bool at_start(Outcome outcome) {
+  return outcome == Outcome::overlap_at_start || outcome == Outcome::closer_at_start;
+}
+
 /// Whether bodies keep a clearance, and the bands between whose walls this was found.
 struct CurvedMargin {
   MarginAnswer answer;

@@ -134,7 +134,7 @@ class MarginSearch {
         return;
       }
     }
-    pair.outcome = Outcome::overlap_at_start;
+    pair.outcome = Outcome::closer_at_start;
     pair.nearest = nearest_at_start(search);
   }
 
@@ -182,9 +182,9 @@ class MarginSearch {
     return nearest;
   }
 
-  /// An overlap at the start comes before everything else.
-  static std::pair<bool, double> rank(const PairMargin& p) {
-    return {p.outcome != Outcome::overlap_at_start, p.free_until};
+  /// What is so at the start comes before everything else, an overlap first.
+  static std::tuple<bool, bool, double> rank(const PairMargin& p) {
+    return {!at_start(p.outcome), p.outcome != Outcome::overlap_at_start, p.free_until};
   }
 
   /// Cross-sections of two bodies are one pair.
@@ -205,20 +205,16 @@ class MarginSearch {
     const auto first = std::min_element(events_.begin(), events_.end(),
                                         [&](const PairMargin& x, const PairMargin& y) { return rank(x) < rank(y); });
     const auto together = [&](const PairMargin& p) {
-      if (p.outcome != first->outcome) return false;
-      return p.outcome == Outcome::overlap_at_start ||
-             (p.outcome == Outcome::contact && p.time.lo <= first->time.hi && first->time.lo <= p.time.hi);
+      if (at_start(first->outcome)) return at_start(p.outcome);
+      return p.outcome == Outcome::contact && first->outcome == Outcome::contact && p.time.lo <= first->time.hi &&
+             first->time.lo <= p.time.hi;
     };
     answer_.outcome = first->outcome;
     answer_.free_until = first->free_until;
     answer_.reason = first->reason;
+    answer_.first = *first;
     for (const PairMargin& pair : events_) {
-      if (&pair != &*first && !together(pair)) continue;
-      if (answer_.first) {
-        answer_.also.push_back(pair);
-      } else {
-        answer_.first = pair;
-      }
+      if (&pair != &*first && together(pair)) answer_.also.push_back(pair);
     }
   }
 

@@ -150,7 +150,9 @@ export class QuestionPanel {
       return [h("p", {}, `${all} ${clearance}: proved for the whole time.`)];
     }
     if (outcome === "contact") return [h("p", {}, this.link(`${closer} at t = ${timeText(...t!)}`, t![0]))];
-    if (outcome === "overlap_at_start") return [h("p", {}, this.link(`${closer} at the start`, this.player.start))];
+    if (outcome === "closer_at_start") return [h("p", {}, this.link(`${closer} at the start`, this.player.start))];
+    if (outcome === "overlap_at_start")
+      return [h("p", {}, this.link(`${pair?.join(" x ")}: overlap at the start`, this.player.start))];
     return [h("p", {}, `Undecided. ${reason ?? ""}`)];
   }
 

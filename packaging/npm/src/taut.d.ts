@@ -112,6 +112,8 @@ export type Pair = [string, string];
 export type Touch = "open" | "closed";
 /** "untested": no pair of bodies was tested, so there is no verdict. */
 export type Outcome = "free" | "contact" | "overlap_at_start" | "undecided" | "untested";
+/** Of checkClearance(). */
+export type MarginOutcome = Outcome | "closer_at_start";
 
 export interface Options {
   /** What counts as a collision: overlap ("open", the default), or touching, too. */
@@ -331,7 +333,7 @@ export interface RangeAnswer extends Verdict {
 /** One pair's first instant closer than the clearance: a vertex and an edge, or two vertices. */
 export interface PairMargin {
   bodies: Pair;
-  outcome: Outcome;
+  outcome: MarginOutcome;
   t?: Bracket;
   grazing?: true;
   vertex?: Feature;
@@ -344,8 +346,10 @@ export interface PairMargin {
   free_until?: number;
   reason?: string;
 }
-/** "contact": closer than the clearance from `t` on; "overlap_at_start": closer at the start. */
-export interface MarginAnswer extends Verdict {
+/** "contact": closer than the clearance from `t` on; "closer_at_start", "overlap_at_start": closer, or
+ * overlapping, at the start. */
+export interface MarginAnswer extends Omit<Verdict, "outcome"> {
+  outcome: MarginOutcome;
   clearance: number;
   t?: Bracket;
   pair?: Pair;

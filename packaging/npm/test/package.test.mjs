@@ -115,7 +115,7 @@ test("clearance(), intervals() and range() answer, too", async () => {
   assert.deepEqual(Object.keys(far), ["outcome", "range", "around", "after", "coverage", "scope"]);
   await assert.rejects(taut.range(falls, 11), taut.TautError);
   assert.equal((await taut.checkClearance(rises, hi * 0.99)).outcome, "free");
-  assert.equal((await taut.checkClearance(rises, hi * 1.01)).outcome, "overlap_at_start");
+  assert.equal((await taut.checkClearance(rises, hi * 1.01)).outcome, "closer_at_start");
   const { profile } = await taut.distanceProfile(rises, { instants: 5 });
   assert.equal(profile[0].instants.length, 5);
   assert.ok(profile[0].stretches.every(([, , low, high]) => lo <= high && low <= high));
