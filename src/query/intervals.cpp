@@ -125,10 +125,25 @@ Intervals intervals_within(const Scene& scene, double start, double end, const C
   return intervals(part, options);
 }
 
-[[noreturn]] void refuse_overlap(const Scene& scene, const OverlapInterval& o) {
+/// What bodies do at an instant at which they are not apart: with closed touching, they may merely touch.
+std::string what_they_do(const Scene& scene, double t, const std::array<BodyId, 2>& pair, Touch touch) {
+  if (touch == Touch::open) return "overlap";
+  std::vector<BodyId> ids;
+  Scene instant = scene_of_pair(scene, pair, ids);
+  instant.start = instant.end = t;
+  instant.at_rest = AtRest::test;
+  CheckOptions open;
+  open.tell_touching = false;
+  const Outcome outcome = check(instant, open).outcome;
+  return outcome == Outcome::overlap_at_start ? "overlap" : outcome == Outcome::free ? "touch" : "overlap or touch";
+}
+
+[[noreturn]] void refuse_overlap(const Scene& scene, double t, const OverlapInterval& o, Touch touch) {
   const auto name = [&](BodyId id) { return scene.bodies[static_cast<std::size_t>(id)].name; };
-  throw InputError("from", name(o.pair[0]) + " and " + name(o.pair[1]) + " overlap at that instant",
-                   "choose one at which no bodies do: `taut intervals` lists when they do");
+  throw InputError(
+      "from",
+      name(o.pair[0]) + " and " + name(o.pair[1]) + " " + what_they_do(scene, t, o.pair, touch) + " at that instant",
+      "choose one at which no bodies do: `taut intervals` lists when they do");
 }
 
 }  // namespace
@@ -185,13 +200,13 @@ Range range(const Scene& scene, double t, const CheckOptions& options) {
   }
   range.outcome = Outcome::free;
   for (const OverlapInterval& o : before.intervals) {
-    if (!o.exit) refuse_overlap(scene, o);
+    if (!o.exit) refuse_overlap(scene, t, o, options.touch);
     if (range.from && o.to.hi <= range.from->hi) continue;
     range.from = o.to;
     range.before = o;
   }
   for (const OverlapInterval& o : after.intervals) {
-    if (!o.enter) refuse_overlap(scene, o);
+    if (!o.enter) refuse_overlap(scene, t, o, options.touch);
     if (range.to && o.from.lo >= range.to->lo) continue;
     range.to = o.from;
     range.after = o;
