@@ -67,7 +67,7 @@ std::string curve_line(const Scene& scene, const DistanceCurve& c) {
   const std::string pair = c.pair ? body_name(scene, (*c.pair)[0]) + " x " + body_name(scene, (*c.pair)[1])
                                   : std::string("all pairs, the least");
   return fmt::format("{}   greatest {} at t = {}{}\n", pair, time_text({c.largest_lo, c.largest_hi}),
-                     instant_text(scene, c.largest_at), c.settled ? "" : "   (not as narrow as was asked for)");
+                     instant_text(scene, c.largest_at), c.wide.empty() ? "" : "\n  " + c.wide);
 }
 
 std::string instants_text(const Scene& scene, const DistanceCurve& c) {

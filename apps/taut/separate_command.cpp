@@ -98,6 +98,7 @@ std::string in_words(const Scene& scene, const Separation& answer) {
   text += coverage_text(answer.coverage);
   if (!answer.reason.empty()) return text + "  " + answer.reason + "\n";
   for (const BodyDirections& body : answer.bodies) text += directions_in_words(scene, body);
+  if (!answer.wide.empty()) text += "  " + answer.wide + "\n";
   return text + order_in_words(scene, answer);
 }
 

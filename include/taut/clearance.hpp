@@ -30,15 +30,15 @@ struct Clearance {
   std::string reason;  ///< why it is undecided or untested; empty otherwise
   Coverage coverage;
   std::optional<CurveGeometry> geometry = {};  ///< of a scene with curves
-  /// Why the bracket of `nearest` is wider than was asked for, as where a limit of time was reached or curves run along
-  /// each other for long; else empty.
+  /// Why the bracket of `nearest` is wider than was asked for, relative to it: curves run along each other for long,
+  /// the highest precision does not decide whether a margin is kept, or coordinates are large. Else empty.
   std::string wide = {};
 };
 
 /// How precise the bracket is to be.
 struct ClearanceOptions {
-  /// hi - lo <= relative * hi + 1e-12 of the largest coordinate; wider only where `wide` says why: where the highest
-  /// precision does not decide whether a margin is kept, or a limit was reached. At least 1e-12.
+  /// hi - lo <= relative * hi + 1e-12 of the largest coordinate. `wide` says why it is wider, and also if the second
+  /// part is the larger one. At least 1e-12.
   double relative = 1e-9;
   bool all_pairs = false;
   Limits limits = {};
@@ -110,9 +110,11 @@ struct DistanceCurve {
   std::vector<DistanceWithin> stretches;  ///< between an instant and the next one
   double largest_lo = 0, largest_hi = 0;  ///< certainly enclose the greatest distance over the scene's time
   double largest_at = 0;                  ///< a time at which the distance is at least `largest_lo`
-  /// Is the bracket of the greatest distance as narrow as was asked for? If not, ProfileOptions::halvings
-  /// did not suffice, or doubles do not decide more, as where a body turns with infinite speed.
+  /// Is the bracket of the greatest distance as narrow as was asked for, or of curves, as can be asked for?
   bool settled = false;
+  /// Why that bracket is wider than was asked for: ProfileOptions::halvings did not suffice, or doubles do not decide
+  /// more, as where a body turns with infinite speed; else empty.
+  std::string wide = {};
 };
 
 /// The answer of distance_profile().

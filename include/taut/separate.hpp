@@ -73,6 +73,8 @@ struct Separation {
   std::string reason;                          ///< why it is undecided or untested; empty otherwise
   Coverage coverage;                           ///< `at_rest` and `moving_alike` are 0: bodies stand still but for one
   std::optional<CurveGeometry> geometry = {};  ///< of a scene with curves
+  /// Why ends of free arcs are enclosed less narrowly than to 1e-7 degrees, as curves may demand; else empty.
+  std::string wide = {};
 };
 
 /// How to ask.

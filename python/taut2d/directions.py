@@ -68,7 +68,7 @@ class Separation(Verdict):
     """How bodies come apart. ``outcome``: "free", "locked", "overlap_at_start" (of ``pair``), "undecided" or
     "untested" (for ``reason``). ``bodies``: of two bodies, the second one's directions against the first; of more, each one's against
     all others. ``order``: of more than two, bodies in an order in which they leave one by one; ``stuck``: those that are
-    left then. ``json`` is what ``taut separate --json`` prints."""
+    left then. ``wide``: why ends are enclosed less narrowly than to 1e-7 degrees, as curves may demand. ``json`` is what ``taut separate --json`` prints."""
 
     outcome: SeparationOutcome
     bodies: tuple[BodyDirections, ...]
@@ -78,6 +78,7 @@ class Separation(Verdict):
     reason: Optional[str]
     coverage: Coverage
     json: str = field(repr=False, compare=False)
+    wide: Optional[str] = None
 
     def _words(self) -> tuple[str, str]:
         if self.outcome == "overlap_at_start":
@@ -116,4 +117,4 @@ def separation_from_json(text: str) -> Separation:
     pair = value.get("pair")
     return Separation(value["outcome"], tuple(map(_directions, bodies)), tuple(map(_step, value.get("order", ()))),
                       tuple(value.get("stuck", ())), None if pair is None else tuple(pair), value.get("reason"),
-                      Coverage(**value["coverage"]), text)
+                      Coverage(**value["coverage"]), text, value.get("wide"))

@@ -171,7 +171,8 @@ class DistanceCurve:
     ``pair``: whose; None if at each time it is the least one of all pairs. ``instants``: (t, lo, hi), evenly spaced:
     the distance at t certainly lies between lo and hi. ``stretches``: (start, end, lo, hi), the same for every instant
     from start to end. ``largest``: (lo, hi), which certainly contain the greatest distance, and ``largest_at`` is a time
-    at which it is at least lo. ``settled``: whether that bracket is as narrow as was asked for.
+    at which it is at least lo. ``settled``: whether that bracket is as narrow as was asked for, or of curves, as can be;
+    ``wide``: why it is wider than was asked for.
     """
 
     pair: Optional[tuple[str, str]]
@@ -180,6 +181,7 @@ class DistanceCurve:
     largest: Interval
     largest_at: float
     settled: bool
+    wide: Optional[str] = None
 
 
 @dataclass(frozen=True)
@@ -276,7 +278,8 @@ def _curve(value: Any) -> DistanceCurve:
     return DistanceCurve(None if value["pair"] is None else _pair(value["pair"]),
                          tuple((float(t), float(lo), float(hi)) for t, lo, hi in value["instants"]),
                          tuple((float(a), float(b), float(lo), float(hi)) for a, b, lo, hi in value["stretches"]),
-                         (float(largest["lo"]), float(largest["hi"])), float(largest["t"]), bool(largest["settled"]))
+                         (float(largest["lo"]), float(largest["hi"])), float(largest["t"]), bool(largest["settled"]),
+                         largest.get("wide"))
 
 
 def profile_from_json(text: str) -> DistanceProfile:

@@ -138,6 +138,7 @@ void write_curve(AnswerWriter& json, const DistanceCurve& curve) {
       json.member("hi", curve.largest_hi);
       json.member("t", curve.largest_at);
       json.member("settled", curve.settled);
+      if (!curve.wide.empty()) json.member("wide", curve.wide);
     });
     json.key("instants").array(curve.instants, [&](const DistanceAt& d) { json.numbers({d.t, d.lo, d.hi}); });
     json.key("stretches").array(curve.stretches, [&](const DistanceWithin& d) {
@@ -341,6 +342,7 @@ std::string separation_json(const Scene& scene, const Separation& answer) {
   return answer_text(scene, [&](AnswerWriter& json) {
     json.verdict(to_string(answer.outcome));
     json.reason(answer.reason);
+    if (!answer.wide.empty()) json.member("wide", answer.wide);
     if (answer.overlap) json.pair("pair", *answer.overlap);
     if (scene.bodies.size() == 2) {
       write_directions(json, answer.bodies.empty() ? BodyDirections{1, {}, false} : answer.bodies[0]);

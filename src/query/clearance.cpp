@@ -54,7 +54,8 @@ class ClearanceSearch {
     if (answer_.nearest) {
       answer_.outcome = answer_.nearest->hi > 0 ? Outcome::free : Outcome::contact;
       answer_.nearest->lo = std::min(answer_.nearest->lo, std::ldexp(certain_, -instance_.exponent()) * (1 - 0x1p-50));
-      if (is_wide(*answer_.nearest)) answer_.wide = why_;
+      const NearestPoints& found = *answer_.nearest;
+      answer_.wide = is_wide(found) && !why_.empty() ? why_ : why_wide(found.lo, found.hi, options_.relative);
     }
     keep_nearest_of_each_pair();
     return std::move(answer_);
@@ -82,9 +83,10 @@ class ClearanceSearch {
   }
 
   bool is_wide(const NearestPoints& found) const {
-    return found.hi - found.lo >
-           options_.relative * found.hi + 1e-12 * std::ldexp(instance_.largest(), -instance_.exponent());
+    return found.hi - found.lo > options_.relative * found.hi + 1e-12 * largest();
   }
+  /// In the scene's units.
+  double largest() const { return std::ldexp(instance_.largest(), -instance_.exponent()); }
 
   /// Searches pairs in the order of the distance of their boxes, in rounds of increasing reach, until no other pair can
   /// be closer than the distance found. If that is 0, all pairs whose boxes meet are searched for the first touch.

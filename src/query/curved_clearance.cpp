@@ -7,6 +7,7 @@
 #include "numeric/budget.hpp"
 #include "query/curved_questions.hpp"
 #include "query/near_cells.hpp"
+#include "query/nearest_points.hpp"
 #include "scene/instance.hpp"
 #include "solver/run.hpp"
 
@@ -83,16 +84,18 @@ class ClearanceBracket {
       Clearance inner = ask(CurveSide::inner);
       if (!inner.reason.empty() || !inner.nearest) return inner;
       const double width = inner.nearest->hi - outer.nearest->lo, wanted = wanted_width(inner.nearest->hi);
-      if (width <= wanted) return concluded(outer, std::move(inner));
+      if (width <= wanted) return with_reason(concluded(outer, std::move(inner)));
       note_progress(width);
       if (!refine(outer, inner, width / wanted)) {
         Clearance answer = concluded(outer, std::move(inner));
         raise_lower_end(answer);
-        if (answer.nearest->hi > 0)
+        if (answer.nearest->hi - answer.nearest->lo > wanted_width(answer.nearest->hi))
           answer.wide =
               "curves run along each other: a bracket as narrow as was asked for needs more edges than is "
-              "reasonable";
-        return answer;
+              "reasonable, and a larger tolerance fewer";
+        if (answer.outcome == Outcome::undecided && answer.nearest->lo > 0) answer.outcome = Outcome::free;
+        if (answer.outcome == Outcome::undecided) answer.reason = answer.wide;
+        return with_reason(std::move(answer));
       }
       // Not much finer than the polygons: the uncertainty that they leave has to be resolved anyway.
       own_.relative = std::max(options_.relative / 4, std::min(own_.relative, 0.02 * width / inner.nearest->hi));
@@ -137,6 +140,12 @@ class ClearanceBracket {
     } catch (const Interrupted&) {
       return false;
     }
+  }
+
+  Clearance with_reason(Clearance answer) const {
+    const NearestPoints& nearest = *answer.nearest;
+    if (answer.wide.empty()) answer.wide = why_wide(nearest.lo, nearest.hi, options_.relative);
+    return answer;
   }
 
   double wanted_width(double hi) const { return options_.relative * hi + 1e-12 * size_; }

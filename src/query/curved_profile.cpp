@@ -1,4 +1,6 @@
 // The distance of bodies with curves as a function of time.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -160,6 +162,13 @@ class CurvedProfile {
         curve.largest_at = d.t;
       }
       curve.settled = !is_wide(curve.largest_lo, curve.largest_hi, coarse_);
+      if (!is_wide(curve.largest_lo, curve.largest_hi, options_.relative)) {
+        curve.wide.clear();
+      } else if (curve.settled) {
+        curve.wide = fmt::format("the greatest distance of curves is found to {:g} of it, and no better", coarse_);
+      } else if (curve.wide.empty()) {
+        curve.wide = "a bracket as narrow as was asked for needs more edges along the curves than is reasonable";
+      }
     }
     answer.geometry = CurveGeometry{widest, world_.segments()};
   }

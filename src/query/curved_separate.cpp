@@ -1,4 +1,6 @@
 // The directions in which bodies with curves can leave each other.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -42,7 +44,13 @@ class CurvedSeparation {
       if (outer.overlap) count += mark_near(world_, *outer.overlap, world_.scene().start, 0, marks);
       count += mark(CurveSide::outer, outer, marks) + mark(CurveSide::inner, inner, marks);
       if (count > 0 && !limit_.reached(world_) && refine_marked(world_, std::move(marks), count)) continue;
-      if (alike) return concluded(outer, inner);
+      if (alike) {
+        outer.wide = fmt::format(
+            "ends of free directions are found to {:.2g} degrees: more needs more edges along the curves than "
+            "is reasonable",
+            widest(outer, inner));
+        return concluded(outer, inner);
+      }
       outer.outcome = SeparationOutcome::undecided;
       outer.reason = too_fine;
       return outer;

@@ -9,6 +9,7 @@
 #include "numeric/errors.hpp"
 #include "numeric/undecided.hpp"
 #include "query/curved_questions.hpp"
+#include "query/nearest_points.hpp"
 #include "scene/untested.hpp"
 #include "scene/validate_scene.hpp"
 #include "solver/distance_curve.hpp"
@@ -126,10 +127,18 @@ class ProfileSearch {
     for (int k = 0; !candidates.empty(); ++k) {
       const Candidate top = candidates.top();
       curve.largest_hi = std::max(curve.largest_lo, top.most);
-      if (is_close(curve.largest_lo, top.most)) return;
+      if (is_close(curve.largest_lo, top.most)) {
+        curve.wide = why_wide(curve.largest_lo, curve.largest_hi, options_.relative);
+        return;
+      }
       const double middle = top.from + (top.to - top.from) / 2;
       curve.settled = k < options_.halvings && top.from < middle && middle < top.to;
-      if (!curve.settled) return;
+      if (!curve.settled) {
+        curve.wide = k < options_.halvings ? "doubles do not divide the time further"
+                                           : "the greatest distance may be at more times than were tried: more "
+                                             "instants, or a larger tolerance, leave fewer";
+        return;
+      }
       candidates.pop();
       raise(curve, distance.at(middle));
       // Where bounds are rough, those of halves may be no better than that of the whole.

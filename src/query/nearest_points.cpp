@@ -25,4 +25,11 @@ NearestPoints nearest_points_of(const PairInstance& search, std::size_t segment,
   return result;
 }
 
+std::string why_wide(double lo, double hi, double relative) {
+  // Both parts of the tolerance add up: what is asked for is missed where the absolute one is the larger one.
+  if (!(hi - lo > 2 * relative * hi)) return {};
+  return "the bracket is wider than was asked for: distances are found to 1e-12 of the largest coordinate; shapes that "
+         "are drawn near their own origin, and moved by their motions, have smaller ones";
+}
+
 }  // namespace taut::internal

@@ -1,6 +1,8 @@
 // Two edges that are near each other, in the user's terms.
 #pragma once
 
+#include <string>
+
 #include "solver/pair_instance.hpp"
 #include "taut/clearance.hpp"
 
@@ -10,5 +12,9 @@ namespace taut::internal {
 /// coordinates. The caller sets the distance and the time.
 NearestPoints nearest_points_of(const PairInstance& search, std::size_t segment, double parameter, VertexId edge_p,
                                 VertexId edge_q);
+
+/// Of a bracket of a distance: that coordinates are too large for this relative tolerance, which is why it is wider;
+/// empty if it is not.
+std::string why_wide(double lo, double hi, double relative);
 
 }  // namespace taut::internal

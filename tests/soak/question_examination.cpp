@@ -211,8 +211,10 @@ class QuestionExamination {
     if (!found.reason.empty()) return undecided("clearance", found.reason);
     nearest_ = *found.nearest;
     const bool free = answer_.outcome == Outcome::free;
-    if (!found.wide.empty()) return undecided("clearance", found.wide);
-    if (nearest_.lo > nearest_.hi || nearest_.hi - nearest_.lo > 1e-6 * nearest_.hi + 1e-9 * size_)
+    const double width = nearest_.hi - nearest_.lo;
+    if (width > 2e-6 * nearest_.hi && found.wide.empty()) return "a wide clearance that does not say so";
+    if (width > 1e-6 * nearest_.hi + 1e-9 * size_ && !found.wide.empty()) return undecided("clearance", found.wide);
+    if (nearest_.lo > nearest_.hi || width > 1e-6 * nearest_.hi + 1e-9 * size_)
       return fmt::format("clearance within [{}, {}]", nearest_.lo, nearest_.hi);
     if (free ? !(nearest_.hi > 0) : nearest_.lo > 0)
       return fmt::format("clearance within [{}, {}], and closed {}", nearest_.lo, nearest_.hi,

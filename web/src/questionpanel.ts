@@ -137,9 +137,9 @@ export class QuestionPanel {
   private profileWords(): Node[] {
     const { profile, reason } = this.asked.answers.distance_profile!;
     if (profile.length === 0) return [h("p", {}, `Undecided. ${reason ?? ""}`)];
-    const { lo, hi, t, settled } = profile[0].largest;
-    const text = `Greatest: ${bracketText(lo, hi)}, at t = ${roundText(t)}${settled ? "" : " (not as narrow as wanted)"}`;
-    return [h("p", {}, this.link(text, t))];
+    const { lo, hi, t, wide } = profile[0].largest;
+    const text = `Greatest: ${bracketText(lo, hi)}, at t = ${roundText(t)}`;
+    return [h("p", {}, this.link(text, t)), ...(wide ? [h("p", {}, wide)] : [])];
   }
 
   private marginWords(): Node[] {
@@ -198,6 +198,7 @@ function separationWords(answer: SeparationAnswer): Node[] {
   if (answer.pair) return [h("p", {}, `${answer.pair.join(" and ")} overlap at the start.`)];
   const bodies = answer.bodies ?? [answer as FreeDirections];
   const words: Node[] = [h("div", { class: "roses" }, ...bodies.slice(0, mostRoses).map(roseOf))];
+  if (answer.wide) words.push(h("p", {}, answer.wide));
   if (bodies.length > mostRoses) words.push(h("p", {}, `and ${bodies.length - mostRoses} more bodies`));
   if (answer.order?.length) {
     const steps = answer.order.map((s) => `${s.body} (${roundText(s.direction_deg, 4)}°)`);

@@ -39,7 +39,7 @@ export interface ClearanceAnswer extends Verdict {
 }
 
 export interface DistanceCurve {
-  largest: { lo: number; hi: number; t: number; settled: boolean };
+  largest: { lo: number; hi: number; t: number; settled: boolean; wide?: string };
   /** Instant, and the bracket of the distance. */
   instants: [number, number, number][];
   /** From, to, and the bracket that the distance does not leave meanwhile. */
@@ -70,6 +70,7 @@ export interface SeparationAnswer extends Partial<FreeDirections> {
   order?: { body: string; direction_deg: number }[];
   stuck?: string[];
   reason?: string;
+  wide?: string;
 }
 
 export interface RangeAnswer extends Verdict {

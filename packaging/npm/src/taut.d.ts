@@ -365,8 +365,8 @@ export interface MarginAnswer extends Omit<Verdict, "outcome"> {
 export interface DistanceCurve {
   /** Null: the least distance of all pairs. */
   pair: Pair | null;
-  /** `settled`: the bracket is as narrow as was asked for. */
-  largest: { lo: number; hi: number; t: number; settled: boolean };
+  /** `settled`: the bracket is as narrow as was asked for, or of curves, as can be; `wide`: why it is wider. */
+  largest: { lo: number; hi: number; t: number; settled: boolean; wide?: string };
   /** Instant, and the bracket of the distance. */
   instants: [t: number, lo: number, hi: number][];
   /** From, to, and the bracket that the distance does not leave meanwhile. */
@@ -408,6 +408,8 @@ interface AnySeparation extends Omit<Verdict, "outcome"> {
   outcome: "free" | "locked" | "overlap_at_start" | "undecided" | "untested";
   /** Bodies that overlap at the start. */
   pair?: Pair;
+  /** Why ends are enclosed less narrowly than to 1e-7 degrees. */
+  wide?: string;
 }
 /** In which directions the second body leaves the first one. */
 export interface SeparationOfTwo extends AnySeparation, FreeDirections {
