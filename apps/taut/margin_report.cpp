@@ -48,7 +48,14 @@ std::string margin_in_words(const Scene& scene, double clearance, const MarginAn
     return fmt::format("FREE  {}   {} {:.9g} on [{}, {}]\n{}", all,
                        answer.coverage.untested() > 0 ? "tested pairs keep" : "all keep", clearance, scene.start,
                        scene.end, coverage);
-  if (!answer.first) return "UNDECIDED  " + all + "\n" + coverage + "  " + answer.reason + "\n";
+  if (!answer.first) {
+    const std::string kept = answer.free_until > scene.start
+                                 ? fmt::format("  {} {:.9g} on [{}, {})\n",
+                                               answer.coverage.untested() > 0 ? "tested pairs keep" : "all keep",
+                                               clearance, scene.start, answer.free_until)
+                                 : "";
+    return "UNDECIDED  " + all + "\n" + coverage + "  " + answer.reason + "\n" + kept;
+  }
   const PairMargin& first = *answer.first;
   const std::string pair = margin_subject(scene, first);
   std::string text;

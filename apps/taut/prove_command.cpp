@@ -94,7 +94,10 @@ void add_prove(const Command& app, Action& action) {
       "separations (--engine spacetime, and scenes of more bodies). That of bodies with curves is polygons around and\n"
       "within them, and such proofs about these.\n"
       "\n"
-      "Exit codes as for `taut check`. An undecided run proves what it has done.\n");
+      "Exit codes as for `taut check`. An undecided run proves what it has done. If a limit or Ctrl-C stops the\n"
+      "proof of two polygons itself, the log proves a part of the time, and the answer says which; of more bodies, "
+      "and\n"
+      "of curves, there is then no log.\n");
   command.on_chosen([&action, arguments] {
     action = [arguments] { return arguments->clearance ? run_prove_clearance(*arguments) : run_prove(*arguments); };
   });

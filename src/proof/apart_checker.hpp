@@ -30,6 +30,8 @@ class HalvedWindows {
   void begin(double from, double to) { whole_ = {from, to}; }
   /// Valid until the next call.
   const MotionWindow& at(const HalvedTime& time);
+  /// Does that window come of the model of a longer one?
+  bool has_model_above(const HalvedTime& time) { return !segment_.bridge && sharp_model_above(time) != nullptr; }
 
  private:
   MotionWindow made(const HalvedTime& time);

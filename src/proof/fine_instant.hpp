@@ -35,6 +35,11 @@ inline Instant instant_at(const FineInstant& at) {
   return Instant::exactly(PreciseTime(exactly, exactly, Stage::doubles));
 }
 
+/// A double that is not before it.
+inline double rounded_up(const FineInstant& at) {
+  return at[1] == 0 && at[2] == 0 ? at[0] : at[0] + 2 * (std::fabs(at[1]) + std::fabs(at[2])) + 0x1p-1060;
+}
+
 /// About as near to a number as three doubles come.
 inline FineInstant nearest_instant(RealMax rest) {
   FineInstant at{};

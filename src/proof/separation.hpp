@@ -92,6 +92,8 @@ bool stays_separated_in_doubles(const PairGeometry& geometry, Lifetimes& lifetim
 /// Two ranges of edges by their numbers in their bodies' trees.
 struct RangePair {
   std::uint32_t p = EdgeRanges::all, q = EdgeRanges::all;
+
+  bool is_whole() const { return p == EdgeRanges::all && q == EdgeRanges::all; }
 };
 
 /// One pair of bodies, with their ranges of edges.

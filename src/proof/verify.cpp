@@ -173,12 +173,12 @@ class Verifier {
     all_hold(now);
     const Instant tight = lifetimes_.tightened(now);
     const VertexId vertex = kind == Record::contact_first ? c.w : c.u;
-    result_.contact = witness().contact(
-        {vertex, map_.origin(HalfedgeId(hit.value & ~1u)), tight.lo, std::min(tight.hi, segment().end)}, segment());
-    result_.contact->time.lo = std::max(result_.contact->time.lo, scene_.start);
+    const ProvedContact proved = proved_contact(witness(), {vertex, map_.origin(HalfedgeId(hit.value & ~1u))},
+                                                segment(), tight, scene_.start, INFINITY);
+    result_.contact = proved.contact;
     const bool at_start = result_.contact->time.hi <= scene_.start;
     result_.contact_at = segment().bridge ? ContactAt::joint : at_start ? ContactAt::start : ContactAt::motion;
-    result_.free_until = result_.contact->time.lo;
+    result_.free_until = proved.free_until;
     result_.outcome = Outcome::contact;
   }
 

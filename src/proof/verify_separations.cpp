@@ -10,6 +10,7 @@
 #include "numeric/budget.hpp"
 #include "proof/kept_margin.hpp"
 #include "proof/open_pairs.hpp"
+#include "proof/proved_contact.hpp"
 #include "proof/verifier_world.hpp"
 #include "scene/placement.hpp"
 #include "scene/untested.hpp"
@@ -187,10 +188,6 @@ class SeparationsVerifier {
     conclude(pair, hit, last, lifetimes.tightened(now));
   }
 
-  static double rounded_up(const FineInstant& at) {
-    return at[1] == 0 && at[2] == 0 ? at[0] : at[0] + 2 * (std::fabs(at[1]) + std::fabs(at[2])) + 0x1p-1060;
-  }
-
   /// Two features that are closer than the clearance at an instant, and all pairs keep it up to some time before.
   void closer() {
     const auto [a, b] = read_pair();
@@ -243,18 +240,15 @@ class SeparationsVerifier {
   }
 
   void conclude(const VerifierPair& pair, const Incidence& hit, const MotionSegment& segment, const Instant& tight) {
-    result_.contact = FeatureMap(pair.bodies, pair.geometry, world_.offset())
-                          .contact({hit.vertex, hit.edge, tight.lo, std::min(tight.hi, segment.end)}, segment);
-    TimeInterval& time = result_.contact->time;
-    time.lo = std::max(time.lo, scene_.start);
-    result_.contact_at = segment.bridge            ? ContactAt::joint
-                         : time.hi <= scene_.start ? ContactAt::start
-                                                   : ContactAt::motion;
     // All pairs are shown to be free up to this one instant.
     if (!(result_.free_until <= segment.time(tight.hi))) throw ProofError("free beyond the contact");
-    // A jump has its instant. Elsewhere other pairs may meet before, as far as is known, once nothing is said of them.
-    if (!segment.bridge) time.lo = std::min(time.lo, result_.free_until);
-    result_.free_until = std::min(time.lo, result_.free_until);
+    const ProvedContact proved = proved_contact({pair.bodies, pair.geometry, world_.offset()}, hit, segment, tight,
+                                                scene_.start, result_.free_until);
+    result_.contact = proved.contact;
+    result_.contact_at = segment.bridge                           ? ContactAt::joint
+                         : proved.contact.time.hi <= scene_.start ? ContactAt::start
+                                                                  : ContactAt::motion;
+    result_.free_until = proved.free_until;
   }
 
   /// Shapes displaced inwards are apart at the start, as the windows show; those displaced outwards are not.

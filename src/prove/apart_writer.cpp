@@ -85,8 +85,16 @@ void ApartWriter::visit(const proof::RangePair& ranges, const proof::HalvedTime&
 
 void ApartWriter::halve_time(const proof::RangePair& ranges, const proof::HalvedTime& time, double doubt) {
   step(proof::step::halve_time);
+  const std::size_t begin = out_.size();
   visit(ranges, time.first(), doubt);
+  if (ranges.is_whole() && time.from == from_) note_written(time.first(), begin);
   visit(ranges, time.second(), doubt);
+}
+
+/// Verifiers take models of the motion from the longest windows that have good ones. As the first window of a log of
+/// its own, this one must not have been checked by the model of a longer one.
+void ApartWriter::note_written(const proof::HalvedTime& half, std::size_t begin) {
+  if (!windows_.has_model_above(half)) written_ = {half.to, begin, out_.size()};
 }
 
 void ApartWriter::halve_range(const proof::RangePair& ranges, const proof::HalvedTime& time, double doubt) {

@@ -12,6 +12,13 @@
 
 namespace taut::internal {
 
+/// What has been written of a stretch that is not finished: a log of its own, of the stretch up to that time. Time is
+/// halved first, so the first of its halves, of these the first half, and so on, are written before everything else.
+struct WrittenUntil {
+  double time;
+  std::size_t begin, end;  ///< in the output
+};
+
 /// Writes the separations of one pair on one stretch of one segment. It is known that nothing meets before `until` or,
 /// with a margin, that nothing comes as close as that. Time is halved where the ranges move far relative to their size,
 /// otherwise the larger range is, until something separates them. Everything that is written has been proved by the
@@ -29,12 +36,15 @@ class ApartWriter {
     windows_.begin(from, to);
     visit({}, {from, to}, std::numeric_limits<double>::infinity());
   }
+  /// Up to when separations are written if write() was stopped; none if that is not known.
+  const std::optional<WrittenUntil>& written() const { return written_; }
 
  private:
   void step(std::uint8_t named) { out_.push_back(static_cast<char>(named)); }
   /// `doubt` is the uncertainty of the motion in the window of which this one is a half.
   void visit(const proof::RangePair& ranges, const proof::HalvedTime& time, double doubt);
   void halve_time(const proof::RangePair& ranges, const proof::HalvedTime& time, double doubt);
+  void note_written(const proof::HalvedTime& half, std::size_t begin);
   void halve_range(const proof::RangePair& ranges, const proof::HalvedTime& time, double doubt);
   /// The reasons by which a vertex may be off an edge, and their approximate margins in the middle of a window, the
   /// largest first.
@@ -71,7 +81,8 @@ class ApartWriter {
   std::string& out_;
   double margin_;
   proof::HalvedWindows windows_;
-  double from_ = 0, to_ = 0;                              ///< the ends of the stretch
+  double from_ = 0, to_ = 0;  ///< the ends of the stretch
+  std::optional<WrittenUntil> written_;
   std::optional<proof::MotionWindow> at_start_, at_end_;  ///< at the ends of the stretch, on first use
   std::set<std::tuple<std::uint32_t, std::uint32_t, proof::SeparationReason>>
       ties_;  ///< vertex and edge; tried already

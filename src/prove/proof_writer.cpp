@@ -1,8 +1,14 @@
 #include "prove/proof_writer.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "certificate/precise_triple.hpp"
 #include "numeric/errors.hpp"
+#include "proof/fine_instant.hpp"
 #include "proof/header.hpp"
+#include "proof/lifetime.hpp"
+#include "proof/proved_contact.hpp"
 #include "scene/placement.hpp"
 #include "taut/proof.hpp"
 #include "tiling/static_tiling.hpp"
@@ -40,6 +46,7 @@ void ProofWriter::on_event(const KineticSolver& solver, const EngineEvent& event
   out_.f64(at);
   out_.u32(event.corner.value);
   last_event_ = at;
+  if (hit) note_contact(solver, event, at);
   if (trace_) trace_->on_event(solver, event);
 }
 
@@ -57,13 +64,38 @@ double ProofWriter::about(const PairGeometry& geometry, const EngineEvent& event
   return lo + (hi - lo) / 2;
 }
 
-double ProofWriter::end(const Answer& answer) {
-  if (!started_) return scene_.start;
-  double proved = answer.free_until;
+/// The instant does not depend on when the corner came to be, which is known to have its sign since then.
+void ProofWriter::note_contact(const KineticSolver& solver, const EngineEvent& event, double about) {
+  const bool first = event.report.gone == Gone::first;
+  const PlanarMap& map = solver.engines()->engine(0).map();
+  const HalfedgeId hit = first ? event.corner : map.next(event.corner);
+  proof::Lifetimes lifetimes(solver.geometry());
+  lifetimes.enter(*event.segment);
+  const proof::FineInstant since{std::max(event.segment->start, event.lo - (event.hi - event.lo)), 0, 0};
+  try {
+    const Instant now = lifetimes.failure({event.u, event.v, event.w, 1, proof::instant_at(since)}, about);
+    contact_ =
+        proof::proved_contact(solver.features(), {first ? event.w : event.u, map.origin(HalfedgeId(hit.value & ~1u))},
+                              *event.segment, lifetimes.tightened(now), scene_.start, INFINITY)
+            .contact;
+  } catch (const ProofError&) {
+    // Too close to its beginning for a sign in between: the engine's own enclosure stays.
+  } catch (const Undecidable&) {
+  }
+}
+
+void ProofWriter::end(Answer& answer) {
+  if (!started_) {
+    if (answer.outcome == Outcome::undecided) answer.free_until = scene_.start;
+    return;
+  }
   if (answer.outcome == Outcome::free) kind(Record::free);
-  if (answer.outcome == Outcome::undecided) proved = free_until(answer.free_until);
+  if (answer.outcome == Outcome::undecided) answer.free_until = free_until(answer.free_until);
+  if (answer.contact && contact_) {
+    answer.contact = contact_;
+    answer.free_until = contact_->time.lo;
+  }
   out_.close();
-  return proved;
 }
 
 /// On the first segment that reaches this time, unless events have gone further. A verifier encloses the last event by
@@ -117,9 +149,8 @@ Answer prove_by_tiling(const Scene& scene, std::ostream& log, const CheckOptions
   ProofWriter writer(scene, options.touch, log, options.tracer);
   Run run(scene, options, &writer);
   run.run();
-  const double proved = writer.end(run.answer());
   Answer answer = run.answer_with_touching();
-  if (answer.outcome == Outcome::undecided) answer.free_until = proved;
+  writer.end(answer);
   return answer;
 }
 

@@ -21,9 +21,9 @@ class ProofWriter final : public KineticObserver {
 
   void started(const KineticSolver& solver) override;
   void on_event(const KineticSolver& solver, const EngineEvent& event) override;
-  /// Called once, with the answer of the run. Returns up to when the log proves that nothing happens, if the answer is
-  /// undecided.
-  double end(const Answer& answer);
+  /// Called once, with the answer of the run, which becomes what the log proves: up to when nothing happens, or the
+  /// contact as a verifier reports it.
+  void end(Answer& answer);
 
  private:
   void kind(proof::Record r) { out_.u8(static_cast<std::uint8_t>(r)); }
@@ -32,6 +32,7 @@ class ProofWriter final : public KineticObserver {
   void tiling(const PlanarMap& map);
   void contact_at_start(const KineticSolver& solver);
   double free_until(double t);
+  void note_contact(const KineticSolver& solver, const EngineEvent& event, double about);
   static double about(const PairGeometry& geometry, const EngineEvent& event);
 
   const Scene& scene_;
@@ -40,6 +41,7 @@ class ProofWriter final : public KineticObserver {
   std::optional<TraceWriter> trace_;
   std::size_t segment_ = 0;
   std::optional<double> last_event_;  ///< on this segment
+  std::optional<Contact> contact_;    ///< as a verifier will report it
   MotionSegments segments_;           ///< of the observed pair
   bool started_ = false;              ///< is there a header?
 };

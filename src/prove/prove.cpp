@@ -24,14 +24,19 @@ Answer prove_by_both(const Scene& scene, std::ostream& log, const CheckOptions& 
   boxes.engine = EngineChoice::spacetime;
   Run run(scene, boxes);
   run.run();
-  const Answer answer = agreed(by_tiling, run.answer_with_touching());
+  Answer answer = agreed(by_tiling, run.answer_with_touching());
   const bool more = run.answer().outcome != Outcome::undecided || run.answer().free_until > by_tiling.free_until;
   if (by_tiling.outcome != Outcome::undecided || !more) {
     log << tilings.str();
+    answer.contact = by_tiling.contact;
+    answer.free_until = by_tiling.free_until;
     return answer;
   }
   const Answer proved = prove_by_separations(run, scene, log, boxes);
-  return proved.outcome == Outcome::undecided ? proved : answer;
+  if (proved.outcome == Outcome::undecided) return proved;
+  answer.contact = proved.contact;
+  answer.free_until = proved.free_until;
+  return answer;
 }
 
 }  // namespace

@@ -61,6 +61,12 @@ class CurvesProver {
     return made;
   }
 
+  /// Names features of the polygons that were confirmed last.
+  void name(Contact& contact) const {
+    bodies_.name(contact.vertex);
+    bodies_.name(contact.edge);
+  }
+
  private:
   const Scene& scene_;
   const CurvedWorld& world_;
@@ -100,17 +106,37 @@ double proved_until(const Scene& polygons, const std::string& log) {
   return verify(polygons, in).free_until;
 }
 
+/// States the contact as the verifier reports it: that of polygons within the bodies, and not before those around them
+/// may meet.
+void state_as_proved(Answer& answer, const CurvesProver& prover, const Answer& around, const Answer& within) {
+  if (!within.contact) return;
+  answer.contact = within.contact;
+  prover.name(*answer.contact);
+  answer.contact->time.lo = answer.free_until = around.free_until;
+}
+void state_as_proved(MarginAnswer& answer, const CurvesProver&, const MarginAnswer& around,
+                     const MarginAnswer& within) {
+  if (!answer.first || !within.first) return;
+  answer.first->time = {around.free_until, within.first->time.hi};
+  answer.first->free_until = answer.free_until = around.free_until;
+}
+
 /// Writes the log of an answer: polygons around the bodies and, if there is a contact, polygons within. Returns the
-/// reason if there is no log, else an empty string. An undecided answer becomes what the log proves.
-template <class AnyAnswer>
+/// reason if there is no log, else an empty string. The answer becomes what the log proves.
+template <class AnyAnswer, class Prove>
 std::string prove_sides(const Scene& scene, const CurvedWorld& world, AnyAnswer& answer, Touch touch,
-                        const ProvePolygons& prove, std::ostream& log) {
+                        const Prove& prove, std::ostream& log) {
+  std::vector<AnyAnswer> proved;
   try {
-    CurvesProver prover(scene, world, prove);
+    CurvesProver prover(scene, world, [&](const Scene& polygons, std::ostream& out) {
+      proved.push_back(prove(polygons, out));
+      return proved.back().reason;
+    });
     std::vector<Side> sides{prover.side(CurveSide::outer)};
     if (answer.outcome == Outcome::contact) sides.push_back(prover.side(CurveSide::inner));
     if (answer.outcome == Outcome::undecided)
       answer.free_until = proved_until(world.polygons(CurveSide::outer), sides[0].log);
+    if (answer.outcome == Outcome::contact) state_as_proved(answer, prover, proved[0], proved[1]);
     write_curves_log(log, scene, touch, sides);
     return {};
   } catch (const ProofError& error) {
@@ -144,7 +170,7 @@ Answer prove_curves(const Scene& scene, std::ostream& log, const CheckOptions& g
   options.tell_touching = false;
   const std::string trouble = prove_sides(
       scene, found.world, found.answer, options.touch,
-      [&](const Scene& flat, std::ostream& out) { return prove(flat, out, options).reason; }, log);
+      [&](const Scene& flat, std::ostream& out) { return prove(flat, out, options); }, log);
   if (trouble.empty()) return found.answer;
   Answer undecided;
   undecided.engine = found.answer.engine;
@@ -163,7 +189,7 @@ MarginAnswer prove_clearance_of_curves(const Scene& scene, double clearance, std
   if (!is_worth_a_log(found.answer, scene)) return found.answer;
   const std::string trouble = prove_sides(
       scene, found.world, found.answer, options.touch,
-      [&](const Scene& flat, std::ostream& out) { return prove_clearance(flat, clearance, out, options).reason; }, log);
+      [&](const Scene& flat, std::ostream& out) { return prove_clearance(flat, clearance, out, options); }, log);
   if (trouble.empty()) return found.answer;
   MarginAnswer undecided;
   undecided.outcome = Outcome::undecided;

@@ -20,10 +20,9 @@ namespace taut {
 using namespace internal;
 namespace {
 
-/// Writes the whole log, if there is one: the header, the clearance if there is one, and the body. Returns up to when
-/// it proves that nothing happens.
-std::optional<double> write_log(std::ostream& log, const Scene& scene, Touch touch,
-                                const std::optional<SeparationsBody>& body, double clearance = 0) {
+/// Writes the whole log, if there is one: the header, the clearance if there is one, and the body. Returns the body.
+std::optional<SeparationsBody> write_log(std::ostream& log, const Scene& scene, Touch touch,
+                                         std::optional<SeparationsBody> body, double clearance = 0) {
   if (!body) return std::nullopt;
   const std::uint8_t kind = static_cast<std::uint8_t>(body->claim) | (clearance > 0 ? proof::with_clearance : 0);
   proof::ByteWriter out(log);
@@ -31,7 +30,20 @@ std::optional<double> write_log(std::ostream& log, const Scene& scene, Touch tou
   if (clearance > 0) out.f64(clearance);
   for (const char c : body->bytes) out.u8(static_cast<std::uint8_t>(c));
   out.close();
-  return body->free_until;
+  return body;
+}
+
+/// States a contact, and a closeness, as the log proves it. It may differ from what an engine found by some units in
+/// the last place.
+void state_as_proved(Answer& answer, const SeparationsBody& log) {
+  if (!log.contact) return;
+  answer.contact = log.contact;
+  answer.free_until = log.free_until;
+}
+void state_as_proved(MarginAnswer& answer, const SeparationsBody& log) {
+  if (!log.closer) return;
+  answer.first->time = *log.closer;
+  answer.first->free_until = answer.free_until = log.free_until;
 }
 
 /// The result that the answer names, of cross-sections of the two bodies.
@@ -62,22 +74,24 @@ std::array<int, 2> sections_with(const proof::VerifierScene& scene, const std::a
   throw StructureError("features of parts that have no layer in common");
 }
 
-/// Returns the answer as far as `write()` proves it, which returns up to when nothing happens: none if there is no log.
-/// Returns an answer that is undecided from the start if the log is not finished.
+/// Returns the answer as far as `write()` proves it, which returns what there is a log of. If the log is not finished,
+/// the answer is undecided from the end of what it proves.
 template <class AnyAnswer, class Write>
 AnyAnswer as_proved(const AnyAnswer& answer, double start, const Write& write) {
-  std::optional<double> until;
-  const std::string stopped = what_stops([&] { until = write(); });
+  std::optional<SeparationsBody> proved;
+  std::string stopped = what_stops([&] { proved = write(); });
+  if (proved) stopped = proved->stopped;
   if (stopped.empty()) {
-    AnyAnswer proved = answer;
-    if (answer.outcome == Outcome::undecided) proved.free_until = until.value_or(start);
-    return proved;
+    AnyAnswer known = answer;
+    if (answer.outcome == Outcome::undecided) known.free_until = proved ? proved->free_until : start;
+    if (proved) state_as_proved(known, *proved);
+    return known;
   }
   AnyAnswer undecided;
   if constexpr (std::is_same_v<AnyAnswer, Answer>) undecided.engine = answer.engine;
   undecided.outcome = Outcome::undecided;
   undecided.coverage = answer.coverage;
-  undecided.free_until = start;
+  undecided.free_until = proved ? proved->free_until : start;
   undecided.reason =
       std::string("the answer is ") + to_string(answer.outcome) + ", but its proof was not finished: " + stopped;
   return undecided;

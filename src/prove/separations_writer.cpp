@@ -4,9 +4,12 @@
 #include <cmath>
 #include <limits>
 
+#include "numeric/budget.hpp"
 #include "numeric/errors.hpp"
+#include "numeric/undecided.hpp"
 #include "proof/bytes.hpp"
 #include "proof/kept_margin.hpp"
+#include "proof/proved_contact.hpp"
 #include "prove/apart_writer.hpp"
 #include "prove/window_writer.hpp"
 #include "spacetime/approach.hpp"
@@ -97,15 +100,56 @@ constexpr int most_steps = 30;
 
 }  // namespace
 
+template <class Write>
+SeparationsBody SeparationsWriter::as_far_as_written(const Write& write) {
+  try {
+    return write();
+  } catch (const Undecidable& limit) {
+    if (!unfinished_) throw;
+    return unfinished(not_decided(limit));
+  } catch (const Interrupted& limit) {
+    if (!unfinished_) throw;
+    return unfinished(limit.reason);
+  }
+}
+
+/// The log of two bodies: one window, in which no box is worth its bytes, and the pair's separations.
+SeparationsBody SeparationsWriter::unfinished(const std::string& why) const {
+  const WrittenUntil& last = unfinished_->of_stretch;
+  std::string bytes;
+  put_f64(bytes, last.time);
+  bytes.push_back(1);
+  for (int body = 0; body < scene_.size(); ++body) {
+    if (!scene_[body].rests()) bytes.push_back(0);
+  }
+  bytes.push_back(1);
+  bytes.append(out_, unfinished_->begin, unfinished_->end - unfinished_->begin);
+  bytes.append(out_, last.begin, last.end - last.begin);
+  SeparationsBody body{Claim::free_until, std::move(bytes), last.time};
+  body.stopped = why;
+  return body;
+}
+
+/// `found` is in the stretch of that number. A verifier must find the same stretches up to that time.
+void SeparationsWriter::note_written(const proof::VerifierPair& pair, std::size_t stretches, const Unfinished& found) {
+  const double until = found.of_stretch.time;
+  const std::vector<proof::SegmentStretch> to_check = proof::stretches(pair.segments, {scene_.start(), until, true});
+  if (scene_.size() == 2 && to_check.size() == stretches && to_check.back().to == until) unfinished_ = found;
+}
+
 SeparationsBody SeparationsWriter::free() {
-  all_windows(scene_.end());
-  return {Claim::free, std::move(out_), scene_.end()};
+  return as_far_as_written([&]() -> SeparationsBody {
+    all_windows(scene_.end());
+    return {Claim::free, std::move(out_), scene_.end()};
+  });
 }
 
 SeparationsBody SeparationsWriter::free_until(double until) {
-  put_f64(out_, until);
-  all_windows(until);
-  return {Claim::free_until, std::move(out_), until};
+  return as_far_as_written([&]() -> SeparationsBody {
+    put_f64(out_, until);
+    all_windows(until);
+    return {Claim::free_until, std::move(out_), until};
+  });
 }
 
 SeparationsBody SeparationsWriter::touching(const PairResult& result) {
@@ -142,10 +186,16 @@ SeparationsBody SeparationsWriter::closer(const std::array<BodyId, 2>& bodies, c
   for (const double part : at) put_f64(out_, part);
   put_f64(out_, time.lo);
   all_windows(time.lo);
-  return {Claim::contact, std::move(out_), time.lo};
+  SeparationsBody body{Claim::contact, std::move(out_), time.lo};
+  body.closer = TimeInterval{time.lo, proof::rounded_up(at)};
+  return body;
 }
 
 SeparationsBody SeparationsWriter::contact(const PairResult& result, double until) {
+  return as_far_as_written([&] { return contact_on(result, until); });
+}
+
+SeparationsBody SeparationsWriter::contact_on(const PairResult& result, double until) {
   contact_pair_ = {result.a, result.b};
   const proof::VerifierPair& pair = world_.pair(result.a, result.b);
   const FoundContact& found = *result.found;
@@ -167,8 +217,13 @@ SeparationsBody SeparationsWriter::contact(const PairResult& result, double unti
   proof::add_stretches_before(pair.segments, result.segment, way);
   way.push_back({result.segment, segment.start, end});
   section(pair, way, now);
+  const proof::ProvedContact proved =
+      proof::proved_contact({pair.bodies, pair.geometry, world_.offset()}, {found.vertex, found.edge}, segment,
+                            lifetimes.tightened(now), scene_.start(), until);
   all_windows(until);
-  return {fine ? Claim::fine_contact : Claim::contact, std::move(out_), until};
+  SeparationsBody body{fine ? Claim::fine_contact : Claim::contact, std::move(out_), proved.free_until};
+  body.contact = proved.contact;
+  return body;
 }
 
 void SeparationsWriter::put_pair(const PairResult& result) {
@@ -186,12 +241,24 @@ void SeparationsWriter::all_windows(double until) {
 void SeparationsWriter::section(const proof::VerifierPair& pair, const std::vector<proof::SegmentStretch>& stretches,
                                 const std::optional<Instant>& until) {
   proof::Lifetimes lifetimes(pair.geometry);
+  const std::size_t begin = out_.size();
   for (std::size_t i = 0; i < stretches.size(); ++i) {
     const std::shared_ptr<const MotionSegment> segment = pair.segments.hold(stretches[i].segment);
     lifetimes.enter(*segment);
     const std::optional<Instant> last = i + 1 == stretches.size() ? until : std::nullopt;
     const double margin = lifetimes.segment().bridge ? 0 : world_.margin();
-    ApartWriter(pair.ranges, lifetimes, last, out_, margin).write(stretches[i].from, stretches[i].to);
+    ApartWriter writer(pair.ranges, lifetimes, last, out_, margin);
+    const std::size_t end = out_.size();
+    const auto note = [&] {
+      if (writer.written() && !segment->bridge) note_written(pair, i + 1, {begin, end, *writer.written()});
+    };
+    try {
+      writer.write(stretches[i].from, stretches[i].to);
+    } catch (...) {
+      note();
+      throw;
+    }
+    note();
   }
 }
 

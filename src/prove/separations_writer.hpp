@@ -10,6 +10,7 @@
 #include "proof/fine_instant.hpp"
 #include "proof/format.hpp"
 #include "proof/verifier_world.hpp"
+#include "prove/apart_writer.hpp"
 #include "solver/pair_solver.hpp"
 #include "taut/clearance.hpp"
 
@@ -19,21 +20,24 @@ namespace taut::internal {
 struct SeparationsBody {
   proof::Claim claim;
   std::string bytes;
-  double free_until;  ///< up to when the windows of the log prove that nothing meets
+  double free_until;                        ///< up to when the windows of the log prove that nothing meets
+  std::optional<Contact> contact = {};      ///< as a verifier will report it
+  std::optional<TimeInterval> closer = {};  ///< in which two features come closer, as a verifier will report it
+  std::string stopped = {};                 ///< why that is earlier than was asked for; empty if it is not
 };
 
 /// Writes one log. The answer states that bodies are disjoint. This class finds the reasons in the terms of a verifier:
 /// windows of time, boxes, directions between ranges of edges. If the format has no reason that applies, it throws
-/// Undecidable.
+/// Undecidable. If that, or a limit, comes before the end, a log of two bodies proves what has been found until then.
 class SeparationsWriter {
  public:
   /// The scene must outlive this object. The margin is in internal units; 0 for a query about contact.
   SeparationsWriter(const proof::VerifierScene& scene, Offset offset, double margin = 0)
       : scene_(scene), world_(scene, offset, margin) {}
 
-  /// Nothing meets.
+  /// Nothing meets. May return what it has proved when it is stopped.
   SeparationsBody free();
-  /// Nothing meets before that time.
+  /// Nothing meets before that time. May return what it has proved when it is stopped.
   SeparationsBody free_until(double until);
   /// Two bodies touch at the start, and nothing overlaps.
   SeparationsBody touching(const PairResult& result);
@@ -41,12 +45,24 @@ class SeparationsWriter {
   SeparationsBody close_at_start(const std::array<BodyId, 2>& bodies, const CloseFeatures& features);
   /// Two features come closer than the margin at about the end of that time, and nothing does before its beginning.
   SeparationsBody closer(const std::array<BodyId, 2>& bodies, const CloseFeatures& features, const TimeInterval& time);
-  /// A contact found on these segments; `until` is the earliest instant at which anything may happen.
+  /// A contact found on these segments; `until` is the earliest instant at which anything may happen. May return what
+  /// it has proved when it is stopped.
   SeparationsBody contact(const PairResult& result, double until);
 
   const proof::VerifierPair& pair(int a, int b) { return world_.pair(a, b); }
 
  private:
+  /// Where in the output separations are that prove something of their own, and up to when.
+  struct Unfinished {
+    std::size_t begin, end;   ///< of stretches that are finished
+    WrittenUntil of_stretch;  ///< the one after these
+  };
+
+  template <class Write>
+  SeparationsBody as_far_as_written(const Write& write);
+  SeparationsBody unfinished(const std::string& why) const;
+  void note_written(const proof::VerifierPair& pair, std::size_t stretches, const Unfinished& found);
+  SeparationsBody contact_on(const PairResult& result, double until);
   void put_pair(const PairResult& result);
   void all_windows(double until);
   void section(const proof::VerifierPair& pair, const std::vector<proof::SegmentStretch>& stretches,
@@ -59,6 +75,7 @@ class SeparationsWriter {
   proof::VerifierWorld world_;
   std::pair<int, int> contact_pair_{-1, -1};
   std::string out_;
+  std::optional<Unfinished> unfinished_;
 };
 
 }  // namespace taut::internal

@@ -52,7 +52,7 @@ void expect_clearance_proved(const Scene& scene, double clearance, Touch touch, 
   ASSERT_TRUE(v.closer);
   EXPECT_EQ(v.closer->features.vertex, answer.first->features->vertex);
   EXPECT_EQ(v.closer->time.lo, answer.first->time.lo);
-  EXPECT_GE(v.closer->time.hi, answer.first->time.lo);
+  EXPECT_EQ(v.closer->time.hi, answer.first->time.hi);
   EXPECT_LE(v.closer->time.hi - v.closer->time.lo, 1e-6 * (scene.end - scene.start));
 }
 

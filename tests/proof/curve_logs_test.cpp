@@ -70,7 +70,10 @@ void expect_proved(const Scene& scene, Touch touch, std::array<int, 3>& outcomes
   ASSERT_EQ(v.fingerprint, scene_fingerprint(scene, touch));
   ASSERT_EQ(untruth(v, answer, scene), "");
   ASSERT_LE(std::fabs(v.free_until - answer.free_until), 2e-9 * (scene.end - scene.start));
+  ASSERT_EQ(v.free_until, proved.free_until);
   if (!v.contact) return;
+  ASSERT_EQ(v.contact->time.lo, proved.contact->time.lo);
+  ASSERT_EQ(v.contact->time.hi, proved.contact->time.hi);
   ASSERT_LE(v.contact->time.hi - v.contact->time.lo, 1e-8 * (scene.end - scene.start));
   ASSERT_EQ(v.contact->vertex.body, answer.contact->vertex.body);
   ASSERT_EQ(v.contact->vertex.index, answer.contact->vertex.index);

@@ -72,6 +72,10 @@ void expect_separations_prove(const Scene& scene, Touch touch, SeparationCounts&
   ++(v.contact->time.hi == scene.start ? counts.at_start : counts.contact);
   ASSERT_LE(v.contact->time.lo, answer.contact->time.hi);
   ASSERT_GE(v.contact->time.hi, answer.contact->time.lo);
+  // What is printed is what is proved.
+  ASSERT_EQ(v.contact->time.lo, proved.answer.contact->time.lo);
+  ASSERT_EQ(v.contact->time.hi, proved.answer.contact->time.hi);
+  ASSERT_EQ(v.free_until, proved.answer.free_until);
   // Before a joint of a world the windows end early, since the other pairs' jumps are there.
   ASSERT_LE(v.free_until, v.contact->time.lo);
   ASSERT_GE(v.free_until, !is_ring_pair(scene) ? std::nextafter(v.contact->time.lo, scene.start) : v.contact->time.lo);

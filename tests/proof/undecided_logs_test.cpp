@@ -47,8 +47,9 @@ void expect_what_the_log_proves(const Scene& scene, EngineChoice engine, Touch t
   ASSERT_TRUE(verified);
   ASSERT_EQ(verified->outcome, answer.outcome);
   if (!answer.contact) return;
-  ASSERT_LE(verified->contact->time.lo, answer.contact->time.hi);
-  ASSERT_GE(verified->contact->time.hi, answer.contact->time.lo);
+  ASSERT_EQ(verified->contact->time.lo, answer.contact->time.lo);
+  ASSERT_EQ(verified->contact->time.hi, answer.contact->time.hi);
+  ASSERT_EQ(verified->free_until, answer.free_until);
   ASSERT_EQ(verified->contact->vertex, answer.contact->vertex);
   ASSERT_EQ(verified->contact->edge, answer.contact->edge);
 }

@@ -36,8 +36,9 @@ void expect_proved(const Scene& scene, Touch touch, Counts& counts) {
     return;
   }
   ++(v.contact->time.hi == scene.start ? counts.at_start : counts.contact);
-  ASSERT_LE(v.contact->time.lo, answer.contact->time.hi);
-  ASSERT_GE(v.contact->time.hi, answer.contact->time.lo);
+  ASSERT_EQ(v.contact->time.lo, answer.contact->time.lo);
+  ASSERT_EQ(v.contact->time.hi, answer.contact->time.hi);
+  ASSERT_EQ(v.free_until, answer.free_until);
   if (v.contact->time.hi == scene.start) return;
   ASSERT_EQ(v.contact->vertex.body, answer.contact->vertex.body);
   ASSERT_EQ(v.contact->vertex.index, answer.contact->vertex.index);

@@ -113,8 +113,9 @@ std::string examine(const SoakScene& s, std::uint64_t number, const Limits& limi
     by_tiling.engine = EngineChoice::kinetic;
     Run run(s.scene, by_tiling, &writer);
     run.run();
-    writer.end(run.answer());
     const Answer kinetic = run.answer_with_touching();
+    Answer proved = kinetic;
+    writer.end(proved);
     const Answer answer = agreed(kinetic, answer_of(s.scene, options, EngineChoice::spacetime));
     if (run.search()) stages += run.search()->stages();
     tally.events += kinetic.events;
@@ -133,7 +134,11 @@ std::string examine(const SoakScene& s, std::uint64_t number, const Limits& limi
     }
     ++(answer.outcome == Outcome::free ? tally.free : tally.contact);
     std::istringstream in(log.str());
-    const std::string wrong = refutation(kinetic, verify(s.scene, in));
+    const Verified verified = verify(s.scene, in);
+    std::string wrong = refutation(proved, verified);
+    if (wrong.empty() && proved.contact &&
+        (proved.contact->time.lo != verified.contact->time.lo || proved.contact->time.hi != verified.contact->time.hi))
+      wrong = "the contact is stated with another time than the one that is proved";
     tally.proofs += wrong.empty();
     return wrong;
   } catch (const InputError&) {
