@@ -43,7 +43,9 @@ class CurvedIntervals {
         world_(scene),
         limit_(world_),
         wanted_(wanted),
-        in_windows_(in_windows) {}
+        in_windows_(in_windows),
+        start_(scene.start),
+        end_(scene.end) {}
 
   /// Pairs are decided one after the other, and not tested again: others may need curves that are far finer.
   Intervals run() {
@@ -71,6 +73,7 @@ class CurvedIntervals {
       if (count == 0 || limit_.reached(world_) || !refine_marked(world_, std::move(marks), count))
         return concluded(brackets, open);
       ask_only(open);
+      if (!in_windows_ && brackets.size() == 1) shorten_window(brackets[0]);
     }
   }
 
@@ -79,8 +82,23 @@ class CurvedIntervals {
     CheckOptions options = options_;
     options.limits.max_seconds = time_left(options.limits.max_seconds, began_);
     Scene polygons = world_.polygons(side);
+    polygons.start = start_;
+    polygons.end = end_;
     polygons.ignore.insert(polygons.ignore.end(), finished_.begin(), finished_.end());
     return intervals(polygons, options);
+  }
+
+  /// Of a window around the only end in it: what is farther from that end than it is uncertain need not be asked about
+  /// again. Finer polygons have many crossings there, within the overlap.
+  void shorten_window(const OverlapBracket& bracket) {
+    if (bracket.inner.size() != 1) return;
+    const OverlapInterval &inner = bracket.inner[0], &outer = bracket.outer;
+    if (inner.enter.has_value() == inner.exit.has_value()) return;
+    const TimeInterval end =
+        inner.enter ? TimeInterval{outer.from.lo, inner.from.hi} : TimeInterval{inner.to.lo, outer.to.hi};
+    const double room = end.hi - end.lo;
+    start_ = std::max(start_, end.lo - room);
+    end_ = std::min(end_, end.hi + room);
   }
 
   /// Determines ends by polygons in short windows around them. These polygons are fine only where the two bodies meet
@@ -227,6 +245,7 @@ class CurvedIntervals {
   RefinementLimit limit_;
   double wanted_;
   bool in_windows_;
+  double start_, end_;          ///< of the window that polygons are asked about
   std::uint64_t segments_ = 0;  ///< of the finest window
   Intervals answer_;
   std::set<std::array<BodyId, 2>> undecided_;
