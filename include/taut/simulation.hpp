@@ -167,11 +167,12 @@ class Simulation {
   /// Which pairs are tested at present: `tested` counts all of them, and `apart` is 0. set_motion() may change that.
   Coverage coverage() const;
   /// The time to which the tiling corresponds, and up to which the motion is proved free. After an event it is the
-  /// upper end of the event's enclosure; where events nearly coincide, the next one's may end a little before it.
+  /// upper end of the event's enclosure. It never decreases.
   double time() const;
-  /// Enclosure of the time of the next event; empty if none is left before the end, or it is undecided. Looks as far as
-  /// it must: if a motion's next piece begins before the event, time() moves on to that joint, or to the end of a
-  /// window in which nothing happens.
+  /// Enclosure of the time of the next event, which never begins before time(): of events that nearly coincide, those
+  /// after the first count as no earlier than the end of its enclosure. Empty if none is left before the end, or it is
+  /// undecided. Looks as far as it must: if a motion's next piece begins before the event, time() moves on to that
+  /// joint, or to the end of a window in which nothing happens.
   std::optional<TimeInterval> next_event();
   /// Processes one event; if several pairs are near, also those whose enclosures are not later. Returns false if there
   /// is none before the end, after a contact, or if it is undecided.

@@ -142,7 +142,8 @@ class Simulation:
         return self._core.standing().certificates_max
 
     def next_event(self) -> Optional[tuple[float, float]]:
-        """(lo, hi), which certainly contains the time of the next event; None if none is left before the end, or it is
+        """(lo, hi), which certainly contains the time of the next event, and never begins before ``time``: of events that
+        nearly coincide, those after the first count as no earlier than the end of its enclosure. None if none is left before the end, or it is
         undecided. Looks as far as it must: if a motion's next piece begins before the event, ``time`` moves on to that
         joint, or to the end of a window in which nothing happens."""
         return self._core.next_event()

@@ -165,7 +165,8 @@ std::optional<TimeInterval> WorldSimulation::next_event(double t) {
     const double until = std::min(t, near_.until());
     if (first_to_fail(until)) {
       note_time();
-      return next_;
+      // Enclosures of events that nearly coincide overlap, and that of the first one is past.
+      return TimeInterval{std::max(next_.lo, now_), std::max(next_.hi, now_)};
     }
     conclude();
     if (over() || near_.last() || near_.until() >= t) break;
