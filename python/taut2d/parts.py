@@ -167,8 +167,9 @@ OnePart = Union[Part, Path, WktFile, GeojsonFile]
 Parts = Union[OnePart, tuple[OnePart, ...]]
 
 # What to do where polygons only are taken.
-flatten_hint = ("taut2d.flatten(scene, tolerance), or flatten(body, tolerance), makes polygons around such bodies, and with "
-                'side="inner" within them')
+flatten_hint = ("taut2d.flatten(scene, tolerance), or flatten(body, tolerance), makes polygons around such bodies, no farther "
+                'from the curves than the tolerance, and with side="inner" within them: for example, '
+                "taut2d.Simulation(taut2d.flatten(scene, 0.001))")
 
 _shape_hint = ("give a list of (x, y), a numpy array with two columns, a Part, a list of these, an object with "
                "__geo_interface__, or WKT")

@@ -1,12 +1,14 @@
 """Polygons for curves."""
 
 import math
+import pathlib
 import subprocess
 
 import pytest
 import taut2d
 from taut2d import Body, InputError, Part, Path, Scene
 
+root = pathlib.Path(__file__).resolve().parents[2]
 DISC = Path("M1 0 A1 1 0 0 1 -1 0 A1 1 0 0 1 1 0 Z")
 RING = Path("M3 0 A3 3 0 0 1 -3 0 A3 3 0 0 1 3 0 Z M2 0 A2 2 0 0 0 -2 0 A2 2 0 0 0 2 0 Z")
 SQUARE = [(5, 0), (6, 0), (6, 1), (5, 1)]
@@ -81,6 +83,19 @@ def test_what_takes_polygons_only_names_it_and_then_works():
         assert "bounded by curves" in caught.value.problem and "taut2d.flatten(scene, tolerance)" in caught.value.hint
         assert "`taut" not in caught.value.hint and "\x01" not in str(caught.value)
         ask(taut2d.flatten(what, 0.01))
+
+
+@pytest.mark.parametrize("name", ["cam", "geneva", "hinge", "slot"])
+def test_the_example_in_the_message_works(name):
+    scene = Scene.load(root / "examples" / "curves" / f"{name}.json")
+    asked = (taut2d.Simulation, lambda scene: taut2d.cells(scene, scene.bodies[0].name, 0.25),
+             lambda scene: taut2d.StaticMap([Body(scene.bodies[0].name, scene.bodies[0].shape)]))
+    for ask in asked:
+        with pytest.raises(InputError) as caught:
+            ask(scene)
+        example = caught.value.hint.rpartition(": for example, ")[2]
+        assert eval(example, {"taut2d": taut2d, "scene": scene}).state == "running"
+        ask(taut2d.flatten(scene, 0.001))
 
 
 @pytest.mark.parametrize("make, place", [
