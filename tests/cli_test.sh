@@ -268,6 +268,11 @@ expect 1 'closer than 1 at t = 6' '' check --clearance 1 --svg - hit.json
 expect 1 '<g class="distance">.*stroke="#6a1fb5"' '' check --clearance 1 --svg - hit.json
 expect 0 'all keep 1 on \[0, 10\]' '' check --clearance 1 --svg - free.json
 expect 1 'closer than 5 at t = 0' '' check --clearance 5 --svg - hit.json
+expect 1 '^CLOSER AT START  anvil x hammer   closer than 50 at t = 0' '' check --clearance 50 hit.json
+expect 1 '^OVERLAP AT START  anvil x hammer   t = 0' '' check --clearance 50 overlap.json
+expect 1 '"outcome":"closer_at_start","clearance":50' '' check --clearance 50 --json hit.json
+expect 1 '^ +closer_at_start +anvil x hammer   .* apart' '' check --clearance 50 --pairs all hit.json
+expect 1 'no proof was written' '' prove --clearance 50 hit.json -o far.proof
 expect 1 'overlap: anvil x hammer' '' check --clearance 1 --svg - overlap.json
 expect 2 '' 'clearance' check --svg - hit.json
 expect 0 '<g class="rose".*<path class="free"' '' separate --svg - hit.json
@@ -277,6 +282,8 @@ expect 1 'overlap: anvil x hammer' '' separate --svg - overlap.json
 expect 0 'class="free".*' '' range --from 1 --svg - hit.json
 expect 0 '>8: anvil x hammer<' '' range --from 1 --svg - hit.json
 expect 0 '>the start<' '' range --from 1 --svg - hit.json
+expect 2 '' 'from: anvil and hammer touch at that instant' range --from 8 --touch closed hit.json
+expect 2 '' 'from: anvil and hammer overlap at that instant' range --from 8.25 --touch closed hit.json
 expect 1 'class="overlap".*' '' intervals --svg - hit.json
 expect 3 'class="undecided"' '' intervals --svg - --max-seconds 0 hit.json
 
