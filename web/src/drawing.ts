@@ -54,9 +54,11 @@ export class Painter {
     c.lineJoin = "round";
     c.lineCap = "round";
     this.drawn.vertices = this.drawn.tilingEdges = this.drawn.faceCorners = 0;
+    this.marks.labels.clear();
     if (frame.world) this.drawn.vertices = this.world.draw(frame, frame.world, layers, colours);
     else this.drawPair(frame, layers, colours);
     for (const contact of frame.contacts) this.marks.contact(frame, contact, colours);
+    this.marks.contactNames(frame.contacts, colours);
     for (const fault of frame.faults) this.marks.fault(frame, fault, colours);
     this.marks.scaleBar(colours);
   }

@@ -65,7 +65,7 @@ export interface Coverage {
   not_reached: number;
 }
 
-export type Outcome = "free" | "contact" | "overlap_at_start" | "closer_at_start" | "undecided" | "untested";
+export type Outcome = "free" | "contact" | "overlap_at_start" | "undecided" | "untested";
 
 /** As `taut check --json` prints it. */
 export interface Answer {

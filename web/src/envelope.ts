@@ -1,6 +1,7 @@
 // The page of `taut envelope --html`: a map of all combinations of joint values, and the linkage at the one that the
 // pointer is on.
 import { h, iconButton } from "./dom";
+import { Labels } from "./labels";
 import { CellIndex, placementOf, type Cell, type CellState, type EnvelopePage, type LinkedBody } from "./linkage";
 import { roundText } from "./words";
 
@@ -23,6 +24,7 @@ class EnvelopeViewer {
   private kept = false;
   /** How high letters are in the picture, in its units. */
   private letter = 1;
+  private readonly places = new Labels();
 
   constructor(private readonly data: EnvelopePage) {
     this.values = this.joints.map(
@@ -83,6 +85,7 @@ class EnvelopeViewer {
   /** The pose of the page's values, and what is known of it. */
   show(): void {
     const cell = this.cells.at(this.values);
+    this.places.clear();
     this.data.bodies.forEach((body, k) => {
       const { x, y, c, s } = placementOf(this.data.bodies, body, this.values);
       this.pictures[k]!.setAttribute("transform", `matrix(${c} ${s} ${-s} ${c} ${x} ${y})`);
@@ -135,9 +138,14 @@ class EnvelopeViewer {
     const points = body.parts.flat(2).map(([u, v]) => [at.x + at.c * u - at.s * v, at.y + at.s * u + at.c * v]);
     const top = points.reduce((most, [, y]) => Math.max(most, y!), -Infinity);
     const highest = points.flatMap(([x, y]) => (y! > top - 0.1 * this.letter ? [x!] : []));
-    label.setAttribute("x", String(highest.reduce((sum, x) => sum + x, 0) / highest.length));
-    label.setAttribute("y", String(-top - 0.3 * this.letter));
+    const middle = highest.reduce((sum, x) => sum + x, 0) / highest.length;
+    const y = -top - 0.3 * this.letter;
+    label.setAttribute("x", String(middle));
+    label.setAttribute("y", String(y));
     label.setAttribute("font-size", String(this.letter));
+    // A letter is about half as wide as it is high. The names of hidden labels are the bodies' tooltips.
+    const width = 0.5 * this.letter * body.name.length;
+    label.style.display = this.places.take({ x: middle - width / 2, y, width }, this.letter) ? "" : "none";
   }
 
   private pictureOf(body: LinkedBody, k: number): SVGGElement {

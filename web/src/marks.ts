@@ -3,6 +3,7 @@ import type { Camera } from "./camera";
 import { addSegmentOf } from "./curvedrawing";
 import { placed } from "./figure";
 import type { ContactMarks, Culprit, EventMarks, FaultMarks, Frame, NearestMarks } from "./frame";
+import { ascent, descent, Labels, type Label } from "./labels";
 import { addSegment } from "./pixels";
 import type { Edge } from "./replay";
 import type { Colours } from "./theme";
@@ -19,6 +20,9 @@ export function pixelOf(camera: Camera, frame: Frame, body: number, index: numbe
 }
 
 export class Marks {
+  /** Of contacts and overlaps in the present frame. */
+  readonly labels = new Labels();
+
   constructor(
     private readonly context: CanvasRenderingContext2D,
     private readonly camera: Camera,
@@ -112,8 +116,15 @@ export class Marks {
     c.arc(x, y, 2.5, 0, 2 * Math.PI);
     c.fillStyle = colours.contact;
     c.fill();
-    c.font = "600 13px system-ui, sans-serif";
-    this.beside(contact.label, x, y + 18, colours);
+  }
+
+  /** Over the marks of all contacts; of names that would lie on each other, the first one. */
+  contactNames(contacts: ContactMarks[], colours: Colours): void {
+    this.context.font = "600 13px system-ui, sans-serif";
+    for (const { point, label } of contacts) {
+      const [x, y] = this.camera.pixel(...point);
+      this.beside(label, x, y + 18, colours);
+    }
   }
 
   /** Adds an edge, or a segment of a curve, to the path. */
@@ -171,11 +182,12 @@ export class Marks {
     );
   }
 
-  /** In the colour of contacts, to the right of a pixel, or to the left where there is no room. */
+  /** In the colour of contacts, to the right of a pixel, or to the left where there is no room; not on another label. */
   beside(text: string, x: number, y: number, colours: Colours): void {
     const { width } = this.context.measureText(text);
     const right = x + 14 + width < this.camera.width - 4;
-    this.text(text, right ? x + 14 : Math.max(4, x - 14 - width), y, colours.contact, colours.paper);
+    const place = { x: right ? x + 14 : Math.max(4, x - 14 - width), y, width };
+    if (this.labels.take(place)) this.text(text, place.x, y, colours.contact, colours.paper);
   }
 
   fault(frame: Frame, fault: FaultMarks, colours: Colours): void {
@@ -202,15 +214,15 @@ export class Marks {
     const outlines = [0, 1].map((b) =>
       [...frame.figures[b].outline(4 / this.camera.scale)].map((i) => pixelOf(this.camera, frame, b, i)),
     );
-    const taken: Label[] = [];
+    const names = new Labels();
     for (const b of [0, 1]) {
       const width = c.measureText(frame.names[b]).width;
       const places = labelPlaces(outlines[b], width).map(([x, y]) => this.within(x, y, width));
       const free = (place: Label): boolean =>
-        !taken.some((t) => meet(t, place)) && !outlines.some((outline) => covers(outline, place));
+        names.isFree(place) && !outlines.some((outline) => covers(outline, place));
       const besideOther = (place: Label): boolean => !covers(outlines[1 - b], place);
       const place = places.find(free) ?? places.find(besideOther) ?? places[0];
-      taken.push(place);
+      names.take(place);
       this.text(frame.names[b], place.x, place.y, colours.bodyLine[b], colours.paper);
     }
   }
@@ -251,19 +263,6 @@ export class Marks {
     c.fillText(text, x, y);
   }
 }
-
-/** A line of text: where it begins, on its base line. */
-interface Label {
-  x: number;
-  y: number;
-  width: number;
-}
-
-const ascent = 11;
-const descent = 4;
-
-const meet = (a: Label, b: Label): boolean =>
-  a.x < b.x + b.width + 8 && b.x < a.x + a.width + 8 && Math.abs(a.y - b.y) < ascent + descent + 3;
 
 /** Above, below, and beside an outline. */
 function labelPlaces(outline: [number, number][], width: number): [number, number][] {

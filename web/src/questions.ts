@@ -81,7 +81,8 @@ export interface RangeAnswer extends Verdict {
   after?: Overlap;
 }
 
-export interface MarginAnswer extends Verdict {
+export interface MarginAnswer extends Omit<Verdict, "outcome"> {
+  outcome: Outcome | "closer_at_start";
   clearance: number;
   t?: [number, number];
   pair?: [string, string];

@@ -3,6 +3,7 @@ import type { Camera } from "./camera";
 import { addRing } from "./curvedrawing";
 import type { Band, Pose, WorldLooks } from "./engine";
 import type { Frame, Layers } from "./frame";
+import { Labels } from "./labels";
 import type { Marks } from "./marks";
 import { clipPolygon, farAway, type Pixel } from "./pixels";
 import { placed, type Figure } from "./figure";
@@ -14,6 +15,8 @@ const roomForNumber = 8;
 const leastBand = 0.7;
 
 export class WorldPainter {
+  private readonly numbers = new Labels();
+
   constructor(
     private readonly context: CanvasRenderingContext2D,
     private readonly camera: Camera,
@@ -27,6 +30,7 @@ export class WorldPainter {
     if (layers.proof && layers.tiling && frame.tilings && frame.hidden.size === 0)
       this.tilings(frame.tilings(), colours);
     for (const b of shown) vertices += this.body(frame, b, world, layers, colours);
+    this.numbers.clear();
     for (const b of shown) this.number(frame, b, world);
     for (const pair of frame.overlaps) this.overlap(frame, pair, colours);
     return vertices;
@@ -124,10 +128,11 @@ export class WorldPainter {
     const c = this.context;
     const [x, y] = this.camera.pixel(...placed(frame.poses[body], u, v));
     c.font = "600 11px system-ui, sans-serif";
+    const text = String(body + 1);
+    const { width } = c.measureText(text);
+    if (!this.numbers.take({ x: x - width / 2, y: y + 4, width }, 11)) return;
     c.fillStyle = world.looks[body % world.looks.length][2];
-    c.textAlign = "center";
-    c.fillText(String(body + 1), x, y + 4);
-    c.textAlign = "start";
+    c.fillText(text, x - width / 2, y + 4);
   }
 
   private overlap(frame: Frame, pair: [number, number], colours: Colours): void {

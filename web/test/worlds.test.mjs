@@ -434,3 +434,54 @@ test("the picture that the playground saves is that of the command", async () =>
   assert.equal(svg, run("draw", file));
   await page.close();
 });
+
+test("numbers and the names of contacts do not lie on each other", async () => {
+  // Sixty hammers come down on sixty anvils at once, and twelve plates lie on one another.
+  const square = (x, y, w = 1) => [
+    [x, y],
+    [x + w, y],
+    [x + w, y + 1],
+    [x, y + 1],
+  ];
+  const bodies = Array.from({ length: 60 }, (_, k) => [
+    { name: `anvil number ${k}`, polygon: square(1.25 * k, 0) },
+    { name: `hammer number ${k}`, polygon: square(1.25 * k, 2), motion: { velocity: [0, -1] } },
+  ]).flat();
+  const plates = Array.from({ length: 12 }, (_, k) => ({
+    name: `plate ${k}`,
+    polygon: square(20 + 0.01 * k, 12, 30),
+    motion: { velocity: [0.001 * k, 0] },
+  }));
+  const ignore = plates.map(({ name }) => [name, "*"]);
+  const scene = { format: "taut-scene/1", time: [0, 2], bodies: [...bodies, ...plates], ignore };
+  const file = join(artefacts, "crowded.json");
+  writeFileSync(file, JSON.stringify(scene));
+  const page = await view(file, "world-crowded");
+  await toTheEnd(page);
+  const texts = await page.evaluate(() => {
+    const context = document.querySelector(".picture").getContext("2d");
+    const drawn = [];
+    const fillText = context.fillText.bind(context);
+    context.fillText = (text, x, y) => {
+      drawn.push({ text, x, y, width: context.measureText(text).width });
+      fillText(text, x, y);
+    };
+    window.taut.stage.draw();
+    delete context.fillText;
+    return drawn;
+  });
+  const numbers = texts.filter(({ text }) => /^\d+$/.test(text));
+  const contacts = texts.filter(({ text }) => text.includes("number"));
+  assert.ok(numbers.length > 0 && contacts.length > 0, JSON.stringify(texts));
+  for (const labels of [numbers, contacts]) {
+    labels.forEach((a, i) =>
+      labels.slice(i + 1).forEach((b) => {
+        const apart = a.x + a.width < b.x || b.x + b.width < a.x || Math.abs(a.y - b.y) >= 11;
+        assert.ok(apart, `${JSON.stringify(a)} lies on ${JSON.stringify(b)}`);
+      }),
+    );
+  }
+  await screenshot(page, "world-crowded");
+  assert.deepEqual(page.problems, []);
+  await page.close();
+});
