@@ -85,7 +85,8 @@ class CurvedIntervals {
     polygons.start = start_;
     polygons.end = end_;
     polygons.ignore.insert(polygons.ignore.end(), finished_.begin(), finished_.end());
-    return intervals(polygons, options);
+    // Crossings within an overlap, of which finer polygons have ever more, need no precise instants.
+    return intervals_of_polygons(polygons, options, false);
   }
 
   /// Of a window around the only end in it: what is farther from that end than it is uncertain need not be asked about

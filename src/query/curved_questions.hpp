@@ -38,6 +38,8 @@ Clearance clearance_of_curves(const Scene& scene, const ClearanceOptions& option
 DistanceProfile distance_profile_of_curves(const Scene& scene, const ProfileOptions& options);
 MarginAnswer check_clearance_of_curves(const Scene& scene, double clearance, const CheckOptions& options);
 Intervals intervals_of_curves(const Scene& scene, const CheckOptions& options);
+/// `precisely` as overlap_intervals() takes it.
+Intervals intervals_of_polygons(const Scene& scene, const CheckOptions& options, bool precisely);
 /// Sets the outcome of an answer that has its intervals and its undecided pairs.
 void conclude(Intervals& answer);
 Separation separate_curves(const Scene& scene, const SeparateOptions& options);

@@ -45,7 +45,7 @@ std::vector<OverlapInterval> united(std::vector<OverlapInterval> all) {
 
 /// `sections` are those pairs of cross-sections of two bodies that come near each other. The bodies count as tested if
 /// their search begins within the limits.
-void search_pair(const Instance& instance, const std::vector<PairStretches>& sections, Offset offset, bool plain,
+void search_pair(const Instance& instance, const std::vector<PairStretches>& sections, Offset offset, bool precisely,
                  const Budget& scope, Intervals& answer) {
   const std::array<BodyId, 2> pair = instance.scene_pair(sections[0].first.first, sections[0].first.second);
   std::vector<OverlapInterval> found;
@@ -53,7 +53,7 @@ void search_pair(const Instance& instance, const std::vector<PairStretches>& sec
     scope.check();
     ++answer.coverage.tested;
     for (const auto& [bodies, near] : sections) {
-      for (OverlapInterval& own : overlap_intervals(instance, bodies.first, bodies.second, near, offset, plain)) {
+      for (OverlapInterval& own : overlap_intervals(instance, bodies.first, bodies.second, near, offset, precisely)) {
         own.pair = pair;
         found.push_back(std::move(own));
       }
@@ -79,13 +79,7 @@ void conclude(Intervals& answer) {
   }
 }
 
-}  // namespace taut::internal
-
-namespace taut {
-using namespace internal;
-
-Intervals intervals(const Scene& scene, const CheckOptions& options) {
-  if (has_curves(scene)) return intervals_of_curves(scene, options);
+Intervals intervals_of_polygons(const Scene& scene, const CheckOptions& options, bool precisely) {
   // Limits start with the first pair, so that interruptions are reported pair by pair.
   validate_polygons(scene);
   const Instance instance(scene);
@@ -108,11 +102,21 @@ Intervals intervals(const Scene& scene, const CheckOptions& options) {
   std::uint64_t searched = 0;
   for (const auto& [pair, sections] : by_pair) {
     report_parts("pairs", searched++, by_pair.size());
-    search_pair(instance, sections, offset_for(options.touch), single, scope, answer);
+    search_pair(instance, sections, offset_for(options.touch), precisely, scope, answer);
   }
   answer.coverage.not_reached = near.pairs().size() - answer.coverage.tested;
   conclude(answer);
   return answer;
+}
+
+}  // namespace taut::internal
+
+namespace taut {
+using namespace internal;
+
+Intervals intervals(const Scene& scene, const CheckOptions& options) {
+  if (has_curves(scene)) return intervals_of_curves(scene, options);
+  return intervals_of_polygons(scene, options, scene.bodies.size() == 2);
 }
 
 namespace {
