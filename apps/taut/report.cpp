@@ -100,7 +100,9 @@ std::string proved(const Scene& scene, const Answer& answer, Touch touch) {
 
 }  // namespace
 
-std::string instant_text(const Scene& scene, double t) { return io::instant_text(t, scene.start, scene.end, 9); }
+std::string instant_text(const Scene& scene, double t) {
+  return internal::io::instant_text(t, scene.start, scene.end, 9);
+}
 
 std::string time_text(const TimeInterval& time) {
   if (time.lo == time.hi) return fmt::format("{}", time.lo);

@@ -11,7 +11,7 @@ from . import _taut2d
 from ._numbers import number
 from .errors import InputError
 from .scene import Scene
-from .words import Crossing, Faults, Grouping, LengthUnit, OpenLines, RepairKind
+from .words import CrossingContours, Faults, Grouping, LengthUnit, OpenLines, RepairKind
 
 __all__ = ["Drawing", "DrawingBody", "DrawingFile", "Gap", "OpenLine", "Repair", "Skipped", "read_drawing"]
 
@@ -188,7 +188,7 @@ def read_drawing(path: Union[str, os.PathLike[str], Sequence[Union[str, os.PathL
                  merge_layers: Union[bool, Sequence[str]] = (), scale: float = 1.0, curves: bool = False,
                  split: bool = False, drills: Optional[float] = None, unknown_free: bool = False, strict: bool = False,
                  faults: Faults = "raise", unit: Optional[LengthUnit] = None,
-                 crossing: Crossing = "error") -> Drawing:
+                 crossing: CrossingContours = "error") -> Drawing:
     """A scene of SVG and DXF drawings, of boards of KiCad, WKT and GeoJSON files, and maps of map_server; bodies rest.
 
     ``path``: one file, or several ones; their endings say what they are.

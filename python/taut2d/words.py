@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Literal
 
-__all__ = ["AtRest", "CellState", "ContactAt", "Crossing", "Engine", "EngineName", "FaceKind", "Faults", "FillRule",
+__all__ = ["AtRest", "CellState", "ContactAt", "CrossingContours", "Engine", "EngineName", "FaceKind", "Faults", "FillRule",
            "Grouping", "LengthUnit", "MarginOutcome", "OpenLines", "OutcomeWord", "Pairs", "QuestionOutcome", "RangeOutcome",
            "RepairKind", "SeparationOutcome", "Side", "SimulationState", "Touch", "VerifiedOutcome"]
 
@@ -15,7 +15,7 @@ Pairs = Literal["first", "all"]
 AtRest = Literal["skip", "test"]
 FillRule = Literal["nonzero", "evenodd"]
 Side = Literal["outer", "inner"]
-Crossing = Literal["error", "subtract", "union", "parts"]
+CrossingContours = Literal["error", "subtract", "union", "parts"]
 OpenLines = Literal["error", "close", "skip"]
 Grouping = Literal["auto", "layer", "color", "group", "nesting"]
 Faults = Literal["raise", "report"]

@@ -55,7 +55,8 @@ def test_layers_and_words(tmp_path):
                   {"crossing": "cut"}):
         with pytest.raises(InputError):
             taut2d.read_drawing(file, **wrong)
-    file.write_text('<svg fill="none" stroke="black"><rect width="9" height="9"/><rect x="7" y="2" width="4" height="2"/></svg>')
+    file.write_text('<svg fill="none" stroke="black"><g><rect width="9" height="9"/><rect x="7" y="2" width="4" height="2"/></g>'
+                    '</svg>')
     with pytest.raises(InputError, match="is it a cut, or a part"):
         taut2d.read_drawing(file)
     for crossing, area in (("subtract", 77), ("union", 85), ("parts", 85)):

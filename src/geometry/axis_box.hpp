@@ -55,6 +55,9 @@ AxisBox box_around(const Points& points) {
 }
 
 /// The length of its diagonal, rounded; 0 for an empty box.
-double diagonal(const AxisBox& box);
+inline double diagonal(const AxisBox& box) {
+  const double x = box.width(), y = box.height(), m = std::max(x, y);
+  return m > 0 ? m * std::sqrt((x / m) * (x / m) + (y / m) * (y / m)) : 0;
+}
 
 }  // namespace taut::internal

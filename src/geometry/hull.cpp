@@ -79,9 +79,4 @@ double diameter_squared(const std::vector<Point>& points) {
   return best;
 }
 
-double diagonal(const AxisBox& box) {
-  const double x = box.width(), y = box.height(), m = std::max(x, y);
-  return m > 0 ? m * std::sqrt((x / m) * (x / m) + (y / m) * (y / m)) : 0;
-}
-
 }  // namespace taut::internal

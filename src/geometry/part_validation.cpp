@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "geometry/axis_box.hpp"
 #include "geometry/hull.hpp"
 #include "geometry/predicates.hpp"
 #include "numeric/budget.hpp"

@@ -15,6 +15,7 @@
 #include "proof/header.hpp"
 #include "proof/lifetime.hpp"
 #include "proof/proof_map.hpp"
+#include "proof/proved_contact.hpp"
 #include "proof/stretch_of_segments.hpp"
 #include "proof/verifier_world.hpp"
 #include "proof/verify_curves.hpp"

@@ -7,6 +7,7 @@
 #include "motion/make_segments.hpp"
 #include "numeric/budget.hpp"
 #include "scene/overlap_witness.hpp"
+#include "scene/swept_box.hpp"
 
 namespace taut::internal {
 namespace {

@@ -17,6 +17,7 @@
 #include "taut/check.hpp"
 #include "taut/error.hpp"
 #include "taut/shape.hpp"
+#include "taut/validate.hpp"
 
 namespace taut::testing {
 using namespace internal;

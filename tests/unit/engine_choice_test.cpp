@@ -5,6 +5,7 @@
 
 #include "generators/generators.hpp"
 #include "solver/portfolio_solver.hpp"
+#include "solver/run.hpp"
 #include "taut/check.hpp"
 
 namespace taut {
