@@ -10,9 +10,11 @@
 #include "geometry/part_validation.hpp"
 #include "geometry/touching_rings.hpp"
 #include "import/body_text.hpp"
+#include "import/heights.hpp"
 #include "import/kept_curves.hpp"
 #include "import/overlaps.hpp"
 #include "import/text_encoding.hpp"
+#include "io/json_object.hpp"
 #include "io/text_file.hpp"
 #include "taut/error.hpp"
 #include "taut/validate.hpp"
@@ -40,8 +42,11 @@ void require_known(const Drawing& drawing, const std::vector<std::string>& names
   for (const std::string& name : drawing.layer_names) known += (known.empty() ? "" : ", ") + io::excerpt(name);
   for (const std::string& name : names) {
     if (names_layer(drawing.layer_names, name)) continue;
+    const std::string near = io::nearest_word(name, drawing.layer_names);
     throw InputError(option, drawing.file + " has no layer \"" + io::excerpt(name) + "\"",
-                     known.empty() ? "leave the option out" : "its layers are: " + known);
+                     known.empty() ? "leave the option out"
+                                   : (near.empty() ? "" : "did you mean \"" + io::excerpt(near) + "\"? ") +
+                                         "its layers are: " + known);
   }
 }
 
@@ -70,6 +75,31 @@ void BodyMaker::add(Drawing drawing) {
   const CurveFinder finder(drawing.kept);
   finder_ = settings_.curves ? &finder : nullptr;
   const std::size_t before = import_.scene.bodies.size(), faults = import_.faults.size();
+  read_all_levels(drawing);
+  for (std::size_t k = 0; k < parts_.size(); ++k) cut_out(drawing.layers[k], parts_[k]);
+  require_nothing_lost(drawing);
+  require_nothing_hidden();
+  for (std::size_t k = 0; k < parts_.size(); ++k) make_bodies(drawing.layers[k].name, std::move(parts_[k]));
+  if (import_.scene.bodies.size() == before && import_.faults.size() == faults) fail_empty(drawing);
+  import_.files.push_back(std::move(file_));
+}
+
+/// Shapes between different heights are no holes in each other, and do not repeat each other.
+void BodyMaker::read_all_levels(Drawing& drawing) {
+  std::vector<std::vector<Named>> all(drawing.layers.size());
+  for (Level& level : take_levels(drawing)) {
+    read_level(level.drawing);
+    for (std::size_t k = 0; k < parts_.size(); ++k) {
+      for (Named& named : parts_[k]) {
+        named.z = level.z;
+        all[k].push_back(std::move(named));
+      }
+    }
+  }
+  parts_ = std::move(all);
+}
+
+void BodyMaker::read_level(Drawing& drawing) {
   parts_.assign(drawing.layers.size(), {});
   for (std::size_t k = 0; k < drawing.layers.size(); ++k)
     for (Sheet& sheet : drawing.layers[k].sheets)
@@ -78,12 +108,6 @@ void BodyMaker::add(Drawing drawing) {
   drop_repeated_fillings(drawing);
   if (drawing.format == "SVG" || drawing.format == "DXF") note_equal_fillings();
   note_shapes_in_others();
-  for (std::size_t k = 0; k < parts_.size(); ++k) cut_out(drawing.layers[k], parts_[k]);
-  require_nothing_lost(drawing);
-  require_nothing_hidden();
-  for (std::size_t k = 0; k < parts_.size(); ++k) make_bodies(drawing.layers[k].name, std::move(parts_[k]));
-  if (import_.scene.bodies.size() == before && import_.faults.size() == faults) fail_empty(drawing);
-  import_.files.push_back(std::move(file_));
 }
 
 void BodyMaker::fail_empty(const Drawing& drawing) {
@@ -103,7 +127,7 @@ void BodyMaker::fail_empty(const Drawing& drawing) {
                                : usual);
 }
 
-void BodyMaker::choose_layers(Drawing& drawing) const {
+void BodyMaker::choose_layers(Drawing& drawing) {
   const std::vector<std::string> layers = spelled(drawing, settings_.layers),
                                  merged = spelled(drawing, settings_.merged);
   if (!layers.empty()) {
@@ -111,9 +135,34 @@ void BodyMaker::choose_layers(Drawing& drawing) const {
     if (drawing.format != "DXF")
       std::erase_if(drawing.layers, [&](const Layer& layer) { return !names_layer(layers, layer.name); });
   }
+  give_heights(drawing);
   require_known(drawing, merged, "--merge-layers");
   if (settings_.merge_all || !merged.empty() || settings_.by == Grouping::nesting)
     merge_layers(drawing, merged, settings_.merge_all || settings_.by == Grouping::nesting);
+}
+
+/// Bodies on layers without heights meet those on all others: somebody may have forgotten them.
+void BodyMaker::give_heights(Drawing& drawing) {
+  std::string without;
+  for (Layer& layer : drawing.layers) {
+    const LayerHeights* given = nullptr;
+    for (const LayerHeights& heights : settings_.heights) {
+      if (spelled(drawing, {heights.name}).front() != layer.name) continue;
+      if (given && !(given->z == heights.z))
+        throw InputError("--layer",
+                         fmt::format("layer \"{}\" is given two pairs of heights, {} and {}", io::excerpt(layer.name),
+                                     heights_text(given->z), heights_text(heights.z)),
+                         "give each layer one pair of heights");
+      given = &heights;
+    }
+    if (given)
+      for (Sheet& sheet : layer.sheets) sheet.z = given->z;
+    const bool none = std::any_of(layer.sheets.begin(), layer.sheets.end(), [](const Sheet& s) { return !s.z; });
+    if (none) without += (without.empty() ? "" : ", ") + layer_title(layer.name);
+  }
+  if (settings_.heights.empty() || without.empty()) return;
+  file_.notes.push_back("no heights are given for layer " + without +
+                        ": its bodies reach through all layers, and are no holes in those that have heights");
 }
 
 /// The first one of them gets what the others have.
@@ -175,7 +224,8 @@ void BodyMaker::cut_out(Layer& layer, std::vector<Named>& parts) {
     for (std::size_t k = 0; k < rings.size(); ++k)
       if ((doubled_area(rings[k].points) < 0) == (k == 0)) std::reverse(rings[k].points.begin(), rings[k].points.end());
     for (Region& region : outlines_of_fill(rings, Fill::once, settings).regions)
-      add_region(std::move(region), {named.name, named.place, {}, named.nest, named.source, named.lines}, left);
+      add_region(std::move(region), {named.name, named.place, {}, named.nest, named.source, named.lines, named.z},
+                 left);
   }
   parts = std::move(left);
 }
@@ -309,19 +359,42 @@ void BodyMaker::make_bodies(const std::string& name, std::vector<Named> parts) {
   for (auto& [nest, all] : bodies) add_body(name, std::move(all));
 }
 
+/// Each pair of heights once, from the lowest one up.
+std::vector<std::optional<Layers>> BodyMaker::heights_of(const std::vector<Named>& parts) {
+  std::vector<std::optional<Layers>> heights;
+  for (const Named& named : parts)
+    if (std::find(heights.begin(), heights.end(), named.z) == heights.end()) heights.push_back(named.z);
+  std::sort(heights.begin(), heights.end(), [](const auto& a, const auto& b) {
+    const Layers x = a.value_or(Layers{}), y = b.value_or(Layers{});
+    return std::pair(x.lo, x.hi) < std::pair(y.lo, y.hi);
+  });
+  return heights;
+}
+
 /// By how much the parts' areas exceed that of their union. What is drawn on material may be a hole to one who reads
 /// it otherwise: the report says how it was read.
 double BodyMaker::overlap_of(const std::string& name, const std::vector<Named>& parts) {
   // Rings that are not valid have been told.
   if (!import_.faults.empty()) return 0;
+  double area = 0;
+  for (const std::optional<Layers>& z : heights_of(parts)) {
+    std::vector<const Named*> level;
+    for (const Named& named : parts)
+      if (named.z == z) level.push_back(&named);
+    area += overlap_at_level(name, level);
+  }
+  return area;
+}
+
+double BodyMaker::overlap_at_level(const std::string& name, const std::vector<const Named*>& parts) {
   std::vector<SourcedPart> sourced;
-  for (const Named& named : parts) sourced.push_back({&named.part, named.source, named.lines});
+  for (const Named* named : parts) sourced.push_back({&named->part, named->source, named->lines});
   const Overlaps overlaps = overlaps_of(sourced, outline_settings());
   const auto note = [&](const std::vector<std::size_t>& inner, const char* one, const char* many, const char* remedy) {
     if (inner.empty()) return;
     file_.notes.push_back(fmt::format("body {}: {} {}, the first one at {}: no hole, it adds nothing to the body ({})",
                                       io::excerpt(name), inner.size(), inner.size() == 1 ? one : many,
-                                      parts[inner.front()].place, remedy));
+                                      parts[inner.front()]->place, remedy));
   };
   note(overlaps.lines_in_filled, "contour drawn as a line lies in a filled shape",
        "contours drawn as lines lie in filled shapes", "if it is one, draw the shape around it as a line, too");
@@ -334,9 +407,18 @@ void BodyMaker::add_body(const std::string& wanted, std::vector<Named> named) {
   Body body;
   body.name = unused_name(wanted);
   const double overlap = overlap_of(body.name, named);
+  const std::vector<std::optional<Layers>> heights = heights_of(named);
+  const bool one_level = heights.size() == 1;
+  if (one_level) body.z = heights[0].value_or(Layers{});
   std::vector<Part> parts;
-  for (Named& one : named) parts.push_back(std::move(one.part));
-  BodyReport report{body.name, file_.file, parts.size(), 0, 0, -overlap, overlap, {}, {}};
+  for (Named& one : named) {
+    parts.push_back(std::move(one.part));
+    if (!one_level) parts.back().z = one.z;
+  }
+  BodyReport report{body.name, file_.file, parts.size(), 0, 0, -overlap, overlap, {}, {}, {}};
+  for (const auto& z : heights)
+    if (!one_level || z) report.z.push_back(z.value_or(Layers{}));
+
   AxisBox box = box_of(parts.front().outline);
   for (const Part& part : parts) {
     box.include(box_of(part.outline));
@@ -349,7 +431,7 @@ void BodyMaker::add_body(const std::string& wanted, std::vector<Named> named) {
   report.high = {box.hi_x, box.hi_y};
   take_curves(parts, body);
   if (body.curves.empty()) {
-    if (parts.size() == 1 && parts[0].holes.empty())
+    if (parts.size() == 1 && parts[0].holes.empty() && !parts[0].z)
       body.polygon = std::move(parts[0].outline);
     else
       body.parts = std::move(parts);

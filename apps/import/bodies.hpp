@@ -26,9 +26,10 @@ class BodyMaker {
   struct Named {
     std::string name, place;
     Part part;
-    int nest = -1;       ///< the number of the outermost outline around it, where that counts
-    int source = 0;      ///< parts of one source do not overlap
-    bool lines = false;  ///< drawn as lines, not filled
+    int nest = -1;                 ///< the number of the outermost outline around it, where that counts
+    int source = 0;                ///< parts of one source do not overlap
+    bool lines = false;            ///< drawn as lines, not filled
+    std::optional<Layers> z = {};  ///< the heights between which it lies
   };
   struct Piece {
     Region region;
@@ -37,8 +38,12 @@ class BodyMaker {
   };
 
   void fail_empty(const Drawing& drawing);
-  void choose_layers(Drawing& drawing) const;
+  void choose_layers(Drawing& drawing);
+  void give_heights(Drawing& drawing);
   static void merge_layers(Drawing& drawing, const std::vector<std::string>& names, bool all);
+  /// Reads the sheets of a drawing between two heights into `parts_`.
+  void read_level(Drawing& drawing);
+  void read_all_levels(Drawing& drawing);
   void read_lines(Drawing& drawing);
   std::vector<LineLayer> take_line_layers(Drawing& drawing) const;
   /// Reads the lines of set `s` of the plan, and adds what they enclose.
@@ -68,7 +73,9 @@ class BodyMaker {
   void add_region(Region region, const Named& like, std::vector<Named>& parts);
   void make_bodies(const std::string& name, std::vector<Named> parts);
   void add_body(const std::string& wanted, std::vector<Named> named);
+  static std::vector<std::optional<Layers>> heights_of(const std::vector<Named>& parts);
   double overlap_of(const std::string& name, const std::vector<Named>& parts);
+  double overlap_at_level(const std::string& name, const std::vector<const Named*>& parts);
   void take_curves(const std::vector<Part>& parts, Body& body);
   bool is_valid(const Named& named, const std::string& layer);
   OutlineSettings outline_settings() const;
@@ -92,6 +99,7 @@ class BodyMaker {
   bool coarse_join_ = false;               ///< lines are shorter than the distance at which they are joined
   std::vector<std::vector<Named>> parts_;  ///< of each layer of the drawing
   int sources_ = 0;                        ///< that have a number
+  int nests_ = 0;                          ///< outermost outlines that have a number
   std::map<std::string, int> names_;
   std::set<std::string> used_;
 };

@@ -73,6 +73,7 @@ void BodyMaker::take_curves(const std::vector<Part>& parts, Body& body) {
     FoundPart found = found_part(parts[k], *finder_, chorded);
     try {
       flatten({found.part}, CurveSide::outer, 1e300, body.name);
+      found.part.z = parts[k].z;
       body.curves.push_back(std::move(found.part));
       cut.merge(found.cut);
       ++k;

@@ -31,6 +31,12 @@ enum class Crossing {
   subtract  ///< those that have a part in a larger one are taken out of it, and no material
 };
 
+/// The heights between which the bodies of a layer lie.
+struct LayerHeights {
+  std::string name;
+  Layers z;
+};
+
 /// How the user wants drawings read. Lengths are in units of the scene. Those that are not given follow from the
 /// drawing's unit and size, see fineness_of().
 struct ImportSettings {
@@ -46,6 +52,7 @@ struct ImportSettings {
   Crossing crossing = Crossing::error;
   bool strict = false;                ///< what is not read is an error
   std::vector<std::string> layers;    ///< only these, if there are any
+  std::vector<LayerHeights> heights;  ///< of some of them, in units of the scene: `scale` does not change them
   std::vector<std::string> merged;    ///< these layers are one
   bool merge_all = false;             ///< all layers are one
   std::optional<double> drills;       ///< of a board: those that are at least so wide are holes in it
@@ -84,6 +91,7 @@ struct Sheet {
   bool lines = false;            ///< not filled: chains are joined where their ends meet
   std::vector<Part> parts = {};  ///< where the file says itself what is a hole
   bool alone = false;            ///< lines that are not put together with those of other sheets
+  std::optional<Layers> z = {};  ///< the heights between which it lies: sheets with other ones are read apart
 };
 
 /// What becomes a body.

@@ -65,9 +65,10 @@ struct FileReport {
 struct BodyReport {
   std::string name, file;
   std::size_t parts = 0, holes = 0, vertices = 0;
-  double area = 0;     ///< of the union of the parts; of the chords, where there are curves
-  double overlap = 0;  ///< by which the areas of the parts exceed that
-  Point low, high;     ///< the box around it
+  double area = 0;        ///< of the union of the parts of each pair of heights; of the chords, where there are curves
+  double overlap = 0;     ///< by which the areas of the parts exceed that
+  Point low, high;        ///< the box around it
+  std::vector<Layers> z;  ///< the heights between which its parts lie, each pair once; empty if nothing says them
 };
 
 struct Import {

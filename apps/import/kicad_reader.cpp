@@ -20,6 +20,10 @@ namespace {
 
 constexpr double kicad_turn = 2 * 3.14159265358979323846;
 const char* const board_name = "board";
+const char* const front_name = "courtyards F";
+const char* const back_name = "courtyards B";
+/// In mm, of a board that does not say its own, as in KiCad.
+constexpr double usual_thickness = 1.6;
 
 /// The centre of the circle through three points; nothing if they are on a line.
 std::optional<Point> centre_of(const Point& a, const Point& b, const Point& c) {
@@ -36,6 +40,7 @@ class KicadReader {
       : board_(board),
         text_(text),
         flattener_(settings, tolerance, file),
+        scale_(settings.scale),
         root_(scaling(settings.scale, -settings.scale)),
         drills_(root_, settings.drills, flattener_) {
     drawing_.file = file;
@@ -57,12 +62,32 @@ class KicadReader {
     drawing_.notes = drills_.notes();
     for (Layer& layer : drawing_.layers)
       if (layer.name == board_name) layer.cutouts = drills_.take_holes();
+    stack_sides();
     drawing_.curves = flattener_.counts();
     drawing_.kept = flattener_.take_kept();
     return std::move(drawing_);
   }
 
  private:
+  /// Parts of the two sides never meet, and lie on the board. Where only one side has parts, the plane is all there is.
+  void stack_sides() {
+    const auto has = [&](const char* name) {
+      return std::any_of(drawing_.layers.begin(), drawing_.layers.end(),
+                         [&](const Layer& l) { return l.name == name; });
+    };
+    if (!has(front_name) || !has(back_name)) return;
+    const SExpression* general = board_.find("general");
+    const SExpression* stated = general ? general->find("thickness") : nullptr;
+    const double thickness = scale_ * (stated ? stated->number(0).value_or(0) : usual_thickness);
+    if (!(thickness > 0)) return drawing_.notes.push_back("the board states no thickness above 0: it has no heights");
+    for (Layer& layer : drawing_.layers) {
+      Layers z;
+      if (layer.name != back_name) z.lo = layer.name == front_name ? thickness : 0;
+      if (layer.name != front_name) z.hi = layer.name == back_name ? 0 : thickness;
+      for (Sheet& sheet : layer.sheets) sheet.z = z;
+    }
+  }
+
   void read_footprint(const SExpression& footprint) {
     const SExpression* at = footprint.find("at");
     const double x = at ? at->number(0).value_or(0) : 0, y = at ? at->number(1).value_or(0) : 0;
@@ -90,7 +115,7 @@ class KicadReader {
 
   void read_graphic(const SExpression& item, const std::string& prefix, const Affine& where, const std::string& name) {
     static const std::map<std::string, std::string> read{
-        {"Edge.Cuts", board_name}, {"F.CrtYd", "courtyards F"}, {"B.CrtYd", "courtyards B"}};
+        {"Edge.Cuts", board_name}, {"F.CrtYd", front_name}, {"B.CrtYd", back_name}};
     if (!item.list || item.word.rfind(prefix, 0) != 0) return;
     const auto layer = read.find(item.text("layer"));
     if (layer == read.end()) return;
@@ -224,6 +249,7 @@ class KicadReader {
   const SExpression& board_;
   const std::string& text_;
   Flattener flattener_;
+  double scale_;
   Affine root_;
   KicadDrills drills_;
   Drawing drawing_;

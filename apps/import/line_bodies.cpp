@@ -133,7 +133,7 @@ void BodyMaker::place_pieces(std::vector<Piece> pieces) {
       for (const auto& [ring, number] : outermost)
         if (roughly_inside(ring, inner)) nest = number;
       if (nest < 0) {
-        nest = static_cast<int>(outermost.size());
+        nest = nests_++;
         outermost.push_back({piece.region.part.outline, nest});
       }
     }
@@ -194,7 +194,8 @@ void BodyMaker::note_conflicts(const Drawing& drawing, const std::vector<LineLay
 
 /// A sheet's border makes holes of what is drawn on it, and bodies of their holes.
 void BodyMaker::note_border(const Drawing& drawing, const std::vector<Piece>& pieces) {
-  if (pieces.empty() || settings_.by == Grouping::nesting) return;
+  // Who names layers has chosen.
+  if (pieces.empty() || settings_.by == Grouping::nesting || !settings_.layers.empty()) return;
   const Piece& largest = *std::max_element(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) {
     return doubled_area(a.region.part.outline) < doubled_area(b.region.part.outline);
   });

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "import/heights.hpp"
 #include "import/import.hpp"
 #include "io/json_text.hpp"
 #include "io/text_file.hpp"
@@ -205,12 +206,25 @@ std::string file_json(const FileReport& file) {
                          array_of(file.skipped, skipped_json));
 }
 
+/// ", z 0..3 and z 3..6", or nothing.
+std::string levels_text(const BodyReport& body) {
+  std::string s;
+  for (const Layers& z : body.z) s += (s.empty() ? ", " : " and ") + heights_text(z);
+  return s;
+}
+
+std::string layers_json(const Layers& z) {
+  const auto end = [](double height) { return std::isfinite(height) ? io::number_text(height) : std::string("null"); };
+  return "[" + end(z.lo) + "," + end(z.hi) + "]";
+}
+
 std::string body_json(const BodyReport& b) {
   return fmt::format(
-      "{{\"name\":{},\"file\":{},\"parts\":{},\"holes\":{},\"vertices\":{},\"area\":{},\"overlap\":{},\"box\":[{},{}]}"
-      "}",
+      "{{\"name\":{},\"file\":{},\"parts\":{},\"holes\":{},\"vertices\":{},\"area\":{},\"overlap\":{},\"box\":[{},{}]{}"
+      "}}",
       io::string_text(b.name), io::string_text(b.file), b.parts, b.holes, b.vertices, io::number_text(b.area),
-      io::number_text(b.overlap), point_json(b.low), point_json(b.high));
+      io::number_text(b.overlap), point_json(b.low), point_json(b.high),
+      b.z.empty() ? "" : ",\"z\":" + array_of(b.z, layers_json));
 }
 
 std::string fault_json(const InputError& fault) {
@@ -226,11 +240,11 @@ std::string report_text(const Import& import, const ImportSettings&) {
     s += file_text(file);
     for (const BodyReport& body : import.bodies) {
       if (body.file != file.file) continue;
-      s += fmt::format("  body {}: {}, {}, {}, area {:.6g}{}, {:.5g} x {:.5g}\n", body.name,
+      s += fmt::format("  body {}: {}, {}, {}, area {:.6g}{}, {:.5g} x {:.5g}{}\n", body.name,
                        counted(body.parts, "part", "parts"), counted(body.holes, "hole", "holes"),
                        counted(body.vertices, "vertex", "vertices"), body.area,
                        body.overlap > 0 ? fmt::format(" (parts overlap by {:.4g})", body.overlap) : "",
-                       body.high.x - body.low.x, body.high.y - body.low.y);
+                       body.high.x - body.low.x, body.high.y - body.low.y, levels_text(body));
     }
   }
   return s;

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "commands.hpp"
+#include "import/heights.hpp"
 #include "import/import.hpp"
 #include "io/terminal_text.hpp"
 #include "progress.hpp"
@@ -25,6 +26,7 @@ namespace {
 
 struct ImportArguments {
   std::vector<std::string> files;
+  std::vector<std::string> layers;
   std::string output, svg, merged;
   drawing::ImportSettings settings;
   bool json = false;
@@ -64,6 +66,7 @@ int import_files(ImportArguments& arguments) {
   if (!settings.unit.empty() && !drawing::unit_named(settings.unit))
     throw InputError("--unit", "\"" + settings.unit + "\" is no unit of length",
                      "write mm, cm, m, um, in, ft, mil, pt or px");
+  for (const std::string& choice : arguments.layers) drawing::choose_layer(settings, choice, "--layer");
   settings.merge_all = arguments.merged == "*";
   if (!settings.merge_all) settings.merged = names_in(arguments.merged);
   std::optional<Progress> progress(std::in_place);
@@ -139,7 +142,11 @@ void add_layer_options(const Command& command, ImportArguments& arguments) {
                                               {"group", drawing::Grouping::group},
                                               {"nesting", drawing::Grouping::nesting}}),
       "what becomes a body, by itself (layers, but contours in material of another layer\nare its holes)");
-  command.add_option("--layer", settings.layers, "read only this layer; may be given more than once").value("NAME");
+  command
+      .add_option("--layer", arguments.layers,
+                  "read only this layer; may be given more than once. With =LO:HI, its bodies lie\nbetween these "
+                  "heights, and meet only what shares some of them")
+      .value("NAME[=LO:HI]");
   command.add_option("--merge-layers", arguments.merged, "read these layers, or all, as one: --merge-layers=A,B")
       .value("[=NAMES]")
       .or_alone("*");
@@ -179,6 +186,7 @@ void add_import(const Command& app, Action& action) {
       "Example:\n"
       "  taut import plate.svg gear.dxf -o scene.json\n"
       "  taut import plate.dxf --svg report.svg -o scene.json      a picture of what was read, and what stays open\n"
+      "  taut import arm.dxf --layer base=0:3 --layer lever=3:6 -o scene.json      two plates, one above the other\n"
       "  taut import map.yaml -o scene.json          a map of ROS's map_server, with its image\n"
       "\n"
       "A body is what one group of an SVG drawing, one layer of a DXF, or one feature of GeoJSON encloses. All bodies\n"

@@ -55,6 +55,11 @@ void bind_drawings(pybind11::module_& module) {
       .def_readwrite("split", &ImportSettings::split)
       .def_readwrite("strict", &ImportSettings::strict)
       .def_readwrite("layers", &ImportSettings::layers)
+      .def("give_heights",
+           [](ImportSettings& s, const std::string& layer, std::optional<double> lo, std::optional<double> hi) {
+             taut::Layers z;
+             s.heights.push_back({layer, {lo.value_or(z.lo), hi.value_or(z.hi)}});
+           })
       .def_readwrite("merged", &ImportSettings::merged)
       .def_readwrite("merge_all", &ImportSettings::merge_all)
       .def_readwrite("drills", &ImportSettings::drills)

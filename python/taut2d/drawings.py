@@ -5,11 +5,12 @@ from __future__ import annotations
 import json
 import os
 from dataclasses import dataclass, field
-from typing import Any, Optional, Sequence, Tuple, Union
+from typing import Any, Mapping, Optional, Sequence, Tuple, Union
 
 from . import _taut2d
 from ._numbers import number
 from .errors import InputError
+from .parts import Layers, layers as heights_of
 from .scene import Scene
 from .words import CrossingContours, Faults, Grouping, LengthUnit, OpenLines, RepairKind
 
@@ -101,7 +102,9 @@ class DrawingFile:
 @dataclass(frozen=True)
 class DrawingBody:
     """A body in numbers. ``area``: of the union of its parts; ``box``: the lower left and the upper right corner;
-    ``overlap``: by how much the areas of the parts exceed that of their union."""
+    ``overlap``: by how much the areas of the parts exceed that of their union; ``z``: the heights between which its
+    parts lie, each pair once, where None is no end; empty if nothing says them. Parts with different heights count
+    apart in areas."""
 
     name: str
     file: str
@@ -111,6 +114,7 @@ class DrawingBody:
     area: float
     box: Tuple[_Point, _Point]
     overlap: float = 0.0
+    z: Tuple[Layers, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -161,7 +165,8 @@ def _file(value: dict[str, Any]) -> DrawingFile:
 def _drawing(scene: str, report: str, svg: str) -> Drawing:
     value = json.loads(report)
     bodies = tuple(DrawingBody(b["name"], b["file"], b["parts"], b["holes"], b["vertices"], float(b["area"]),
-                               (_place(b["box"][0]), _place(b["box"][1])), float(b["overlap"])) for b in value["bodies"])
+                               (_place(b["box"][0]), _place(b["box"][1])), float(b["overlap"]),
+                               tuple((z[0], z[1]) for z in b.get("z", ()))) for b in value["bodies"])
     faults = tuple(InputError(f["place"], f["problem"], f["hint"]) for f in value["faults"])
     return Drawing(Scene.from_json(scene) if scene else None, tuple(_file(f) for f in value["files"]), bodies, faults,
                    report, svg)
@@ -184,7 +189,8 @@ def _word(value: str, name: str, words: Sequence[str]) -> str:
 
 def read_drawing(path: Union[str, os.PathLike[str], Sequence[Union[str, os.PathLike[str]]]], *,
                  tolerance: Optional[float] = None, join: Optional[float] = None, repair: Optional[float] = None,
-                 open: OpenLines = "error", by: Grouping = "auto", layers: Sequence[str] = (),
+                 open: OpenLines = "error", by: Grouping = "auto",
+                 layers: Union[Sequence[str], Mapping[str, Optional[Layers]]] = (),
                  merge_layers: Union[bool, Sequence[str]] = (), scale: float = 1.0, curves: bool = False,
                  split: bool = False, drills: Optional[float] = None, unknown_free: bool = False, strict: bool = False,
                  faults: Faults = "raise", unit: Optional[LengthUnit] = None,
@@ -199,7 +205,9 @@ def read_drawing(path: Union[str, os.PathLike[str], Sequence[Union[str, os.PathL
     ``open``: outlines that stay open are an "error", or "close" them by straight lines, or "skip" them. Shapes that are
     not read and may bound a body are an error, unless it is "skip".
     ``by``: what becomes a body: "auto": layers, but contours in material of another layer are its holes; "layer",
-    "color", "group" or "nesting". ``layers``: only these. ``merge_layers``: these, or all if True, are one.
+    "color", "group" or "nesting". ``layers``: only these; a mapping gives the bodies on each of them
+    heights, ``{"base": (0, 3), "lever": (3, 6), "pin": None}``, in units of the scene; None is no end, or all heights.
+    ``merge_layers``: these, or all if True, are one.
     ``scale``: all lengths are multiplied by it. ``curves``: arcs and Bezier curves stay what they are. ``split``: a body
     for each part. ``drills``: those of a board that are at least so wide are holes in it. ``unknown_free``: what a
     robot's map does not know is no obstacle. ``strict``: what is not read is an error.
@@ -223,6 +231,11 @@ def read_drawing(path: Union[str, os.PathLike[str], Sequence[Union[str, os.PathL
     settings.drills = _length(drills, "drills", True)
     settings.unknown_free = bool(unknown_free)
     settings.layers = list(layers)
+    if isinstance(layers, Mapping):
+        for name, ends in layers.items():
+            z = heights_of(ends, f"layers[{name!r}]")
+            if z is not None:
+                settings.give_heights(name, *z)
     settings.merge_all = merge_layers is True
     settings.merged = [] if isinstance(merge_layers, bool) else list(merge_layers)
     settings.group_by(_word(by, "by", ("auto", "layer", "color", "group", "nesting")))
