@@ -57,6 +57,7 @@ const std::vector<Example> examples = {
     always("paper/fig1.json", is_free),
     always("paper/fig16.json", is_free),
     always("paper/fig17.json", is_free),
+    always("layers.json", is_free),
     always("paper/fig2.json", is_free),
     always("paper/fig3.json", is_free),
     always("paper/fig5.json", is_free),

@@ -120,8 +120,10 @@ export class Painter {
         best = { body, part, ring, index };
       }
     };
-    frame.shapes.forEach(({ parts }, body) => {
-      if (!frame.hidden.has(body)) parts.forEach((rings, p) => rings.forEach((figure, r) => look(figure, body, p, r)));
+    frame.shapes.forEach(({ parts, heights }, body) => {
+      parts.forEach((rings, p) => {
+        if (!frame.hidden.hides(body, heights[p])) rings.forEach((figure, r) => look(figure, body, p, r));
+      });
     });
     return best;
   }

@@ -6,6 +6,7 @@ import { local } from "./figure";
 import type { FaultMarks, Frame } from "./frame";
 import { drawHandles } from "./handlemarks";
 import { Handles, type Edited, type Mode } from "./handles";
+import { sheetsOf, type Hidden } from "./heights";
 import { keyframesOf, pivotOf, seenFrom, velocityAt, type Keyframe, type Velocity } from "./motions";
 import type { Player } from "./player";
 import { cornerAt, dropVertex, isCurved, Shape } from "./shapes";
@@ -21,7 +22,7 @@ export interface EditorHost {
   /** What is to be known, in words. */
   say(note: string): void;
   /** Bodies that are not to be seen. */
-  readonly hidden: ReadonlySet<number>;
+  readonly hidden: Hidden;
 }
 
 export class Editor implements Tool, Edited {
@@ -93,7 +94,8 @@ export class Editor implements Tool, Edited {
   topmost(): number[] {
     const all = this.scene.bodies.map((_, b) => b);
     const painted = this.player.world?.order.filter((b) => b < all.length) ?? all;
-    return [...painted].reverse().filter((b) => !this.host.hidden.has(b));
+    const seen = sheetsOf(this.shapes(), painted).filter(({ body, z }) => !this.host.hidden.hides(body, z));
+    return [...new Set(seen.reverse().map(({ body }) => body))];
   }
 
   onChoose: (body: number) => void = () => {};

@@ -119,11 +119,14 @@ export type Ring = [number, number][];
 export interface Part {
   outline: Ring;
   holes?: Ring[];
+  /** Its own layers, in place of those of its body. */
+  z?: Heights;
 }
 /** An outline with curves, as the data of an SVG path that the library has written: an outline, then its holes. */
 export interface PathPart {
   path: string;
   "fill-rule"?: "nonzero" | "evenodd";
+  z?: Heights;
 }
 
 export interface Motion {
@@ -139,6 +142,9 @@ export interface Motion {
   until?: number;
 }
 
+/** An interval of heights across the plane; null is no end. */
+export type Heights = [number | null, number | null];
+
 /** One polygon, or parts. */
 export interface Body {
   name: string;
@@ -148,7 +154,7 @@ export interface Body {
   relative_to?: string;
   motion?: Motion | Motion[] | null;
   /** The layers that it reaches through. */
-  z?: [number | null, number | null];
+  z?: Heights;
 }
 
 export interface Scene {

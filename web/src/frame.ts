@@ -1,6 +1,7 @@
 // What one frame shows.
 import type { Pose, WorldLooks } from "./engine";
 import type { Figure } from "./figure";
+import type { Hidden } from "./heights";
 import type { Edge, MapEvent, Replay } from "./replay";
 import type { Shape } from "./shapes";
 
@@ -56,7 +57,7 @@ export interface Frame {
   poses: Pose[];
   /** How bodies look that are more than two polygons. */
   world: WorldLooks | null;
-  hidden: ReadonlySet<number>;
+  hidden: Hidden;
   /** Null where there is no map: bodies that overlap, or a scene that is being edited. */
   replay: Replay | null;
   /** Of a world, the tilings of the pairs that are near, five numbers a line; asked for where they are drawn. */

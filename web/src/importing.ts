@@ -21,11 +21,17 @@ export function withOutline(scene: Scene, index: number, parts: Part[], name: st
   const out = structuredClone(scene);
   const [x, y] = new Figure(parts[0].outline).centre;
   const about = (ring: Ring): Ring => ring.map(([u, v]) => [u - x, v - y]);
-  const placedParts = parts.map(({ outline, holes }) => ({ outline: about(outline), holes: (holes ?? []).map(about) }));
-  const plain = parts.length === 1 && placedParts[0].holes.length === 0;
+  const placedParts = parts.map(({ outline, holes, ...rest }) => ({
+    ...rest,
+    outline: about(outline),
+    holes: (holes ?? []).map(about),
+  }));
+  const plain = parts.length === 1 && placedParts[0].holes.length === 0 && !parts[0].z;
+  const { z } = scene.bodies[index];
   out.bodies[index] = {
     name: freshName(out, name, index),
     ...(plain ? { polygon: placedParts[0].outline } : { parts: placedParts }),
+    ...(z ? { z } : {}),
     motion: motionOf([{ t: out.time[0], x, y, angle: 0 }]),
   };
   renamed(out, scene.bodies[index].name, out.bodies[index].name);

@@ -6,6 +6,8 @@ export interface NumberFieldHost {
   taken(value: number): void;
   /** Why a number cannot be meant; empty if it can. */
   wrong?(value: number): string;
+  /** The field was emptied; without this, it may not be. */
+  emptied?(): void;
 }
 
 let count = 0;
@@ -52,8 +54,9 @@ export class NumberField {
     const { value, validity } = this.input;
     const fault = this.faultOf(value, validity.badInput);
     if (fault === "") {
-      this.kept = value;
-      this.host.taken(Number(value));
+      this.kept = value.trim();
+      if (this.kept === "") this.host.emptied!();
+      else this.host.taken(Number(value));
     } else {
       this.input.value = this.kept;
       this.mark(`${this.label}: ${fault}. ${this.kept === "" ? "" : `It stays ${this.kept}.`}`);
@@ -63,7 +66,7 @@ export class NumberField {
   /** The browser empties what it cannot read, and says so. */
   private faultOf(text: string, unreadable: boolean): string {
     if (unreadable || (text !== "" && !Number.isFinite(Number(text)))) return "this is not a number that can be read";
-    if (text.trim() === "") return "nothing was typed";
+    if (text.trim() === "") return this.host.emptied ? "" : "nothing was typed";
     return this.host.wrong?.(Number(text)) ?? "";
   }
 

@@ -1,6 +1,7 @@
 // Bodies as they are drawn: their parts, each an outline and its holes.
-import type { Body, Part, PathPart, Ring, Scene } from "./engine";
+import type { Body, Heights, Part, PathPart, Ring, Scene } from "./engine";
 import { Figure } from "./figure";
+import { heightsOf } from "./heights";
 import { ringsOfPath, sketched } from "./paths";
 
 type AnyPart = Ring | Part | PathPart;
@@ -10,7 +11,7 @@ export const isPath = (part: AnyPart): part is PathPart => "path" in part;
 /** Is the body bounded by curves? Then its parts are paths. */
 export const isCurved = (body: Body): boolean => (body.parts ?? []).some(isPath);
 
-const listOf = (body: Body): AnyPart[] => (body.polygon ? [body.polygon] : (body.parts ?? []));
+export const listOf = (body: Body): AnyPart[] => (body.polygon ? [body.polygon] : (body.parts ?? []));
 
 /** Of each part: its outline, then its holes; sketches of those that are paths. */
 export function partsOf(body: Body): Ring[][] {
@@ -43,8 +44,9 @@ export function dropVertex(body: Body, vertex: number): boolean {
   const k = parts.findIndex((part) => "outline" in part && part.holes?.includes(ring));
   if (k < 0) return false;
   const part = parts[k] as Part;
-  const holes = part.holes!.filter((hole) => hole !== ring);
-  parts[k] = holes.length > 0 ? { ...part, holes } : part.outline;
+  const { holes: before, ...rest } = part;
+  const holes = before!.filter((hole) => hole !== ring);
+  parts[k] = holes.length > 0 ? { ...rest, holes } : part.z ? rest : part.outline;
   const [first] = parts;
   if (parts.length === 1 && Array.isArray(first)) {
     body.polygon = first;
@@ -55,8 +57,11 @@ export function dropVertex(body: Body, vertex: number): boolean {
 
 export class Shape {
   readonly parts: Figure[][];
+  /** The layers of each part. */
+  readonly heights: Heights[];
 
   constructor(body: Body) {
+    this.heights = heightsOf(body);
     this.parts = listOf(body).map((part) => {
       if (!isPath(part)) return ringsOf(part).map((ring) => new Figure(ring));
       const curves = ringsOfPath(part.path);

@@ -4,6 +4,7 @@ import { fitCanvas, h, iconButton } from "./dom";
 import { Painter } from "./drawing";
 import { placed } from "./figure";
 import type { FaultMarks, Frame, Layers, NearestMarks } from "./frame";
+import { heightsText, Hidden, layersOf } from "./heights";
 import type { Player } from "./player";
 import { ringText, roundText } from "./words";
 import { coloursOf, type Colours, type ThemeChoice } from "./theme";
@@ -35,8 +36,8 @@ export class Stage {
   faults: FaultMarks[] = [];
   /** Where bodies are closest, if that is now. */
   nearest: NearestMarks | null = null;
-  /** Bodies of a world that are not to be seen. */
-  readonly hidden = new Set<number>();
+  /** What is not to be seen of a world. */
+  readonly hidden = new Hidden();
   tool: Tool | null = null;
   /** True if the double click was meant for something else than the view. */
   onDoubleClick: (x: number, y: number) => boolean = () => false;
@@ -202,7 +203,9 @@ export class Stage {
       const figure = frame.shapes[found.body].parts[found.part][found.ring];
       const [wx, wy] = placed(frame.poses[found.body], ...figure.corner(found.index));
       const ring = ringText(found, frame.shapes[found.body].parts.length);
-      text = `${figure.curve ? "start of segment" : "vertex"} ${found.index} of ${ring}${frame.names[found.body]} at (${roundText(wx, 9)}, ${roundText(wy, 9)})`;
+      const layer =
+        layersOf(this.player.scene.bodies).length > 0 ? heightsText(frame.shapes[found.body].heights[found.part]) : "";
+      text = `${figure.curve ? "start of segment" : "vertex"} ${found.index} of ${ring}${frame.names[found.body]} at (${roundText(wx, 9)}, ${roundText(wy, 9)})${layer && ", "}${layer}`;
     }
     if (this.readout.textContent !== text) this.readout.textContent = text;
   }

@@ -3,10 +3,12 @@ import type { Camera } from "./camera";
 import { addRing } from "./curvedrawing";
 import type { Band, Pose, WorldLooks } from "./engine";
 import type { Frame, Layers } from "./frame";
+import { sheetsOf, type Sheet } from "./heights";
 import { Labels } from "./labels";
 import type { Marks } from "./marks";
 import { clipPolygon, farAway, type Pixel } from "./pixels";
 import { placed, type Figure } from "./figure";
+import type { Shape } from "./shapes";
 import type { Colours } from "./theme";
 
 /** From so far on, in pixels, a number does not touch the boundary of its body. */
@@ -16,6 +18,7 @@ const leastBand = 0.7;
 
 export class WorldPainter {
   private readonly numbers = new Labels();
+  private sorted: { shapes: Shape[]; order: number[]; sheets: Sheet[] } | null = null;
 
   constructor(
     private readonly context: CanvasRenderingContext2D,
@@ -25,15 +28,23 @@ export class WorldPainter {
 
   /** How many vertices were drawn. */
   draw(frame: Frame, world: WorldLooks, layers: Layers, colours: Colours): number {
-    const shown = world.order.filter((b) => !frame.hidden.has(b) && b < frame.shapes.length);
+    const shown = this.sheets(frame, world).filter(({ body, z }) => !frame.hidden.hides(body, z));
     let vertices = 0;
-    if (layers.proof && layers.tiling && frame.tilings && frame.hidden.size === 0)
-      this.tilings(frame.tilings(), colours);
-    for (const b of shown) vertices += this.body(frame, b, world, layers, colours);
+    if (layers.proof && layers.tiling && frame.tilings && !frame.hidden.any) this.tilings(frame.tilings(), colours);
+    for (const sheet of shown) vertices += this.sheet(frame, sheet, world, layers, colours);
     this.numbers.clear();
-    for (const b of shown) this.number(frame, b, world);
+    for (const sheet of shown) this.number(frame, sheet, world);
     for (const pair of frame.overlaps) this.overlap(frame, pair, colours);
     return vertices;
+  }
+
+  /** Those that are painted first come first. */
+  private sheets({ shapes }: Frame, { order }: WorldLooks): Sheet[] {
+    if (this.sorted?.shapes !== shapes || this.sorted.order !== order) {
+      const known = order.filter((b) => b < shapes.length);
+      this.sorted = { shapes, order, sheets: sheetsOf(shapes, known) };
+    }
+    return this.sorted.sheets;
   }
 
   /** Below the bodies: each line lies between those of its pair. */
@@ -52,9 +63,10 @@ export class WorldPainter {
     }
   }
 
-  private body(frame: Frame, body: number, world: WorldLooks, layers: Layers, colours: Colours): number {
+  private sheet(frame: Frame, sheet: Sheet, world: WorldLooks, layers: Layers, colours: Colours): number {
     const c = this.context;
-    const { parts } = frame.shapes[body];
+    const { body } = sheet;
+    const parts = sheet.parts.map((part) => frame.shapes[body].parts[part]);
     const [fill, line] = world.looks[body % world.looks.length];
     const paths = parts.map((rings) => this.partPath(frame, body, rings));
     c.fillStyle = fill;
@@ -64,8 +76,15 @@ export class WorldPainter {
     for (const path of paths) c.stroke(path);
     for (const path of paths) c.fill(path, "evenodd");
     if (parts.length === 1) c.stroke(paths[0]);
-    if (layers.bands && world.bands?.[body]) this.bands(frame, body, world.bands[body], colours);
-    if (layers.vertices) this.vertices(frame, body, colours.worldLine || line);
+    const bands = world.bands?.[body];
+    if (layers.bands && bands)
+      this.bands(
+        frame,
+        body,
+        sheet.parts.flatMap((part) => bands[part] ?? []),
+        colours,
+      );
+    if (layers.vertices) this.vertices(frame, body, parts.flat(), colours.worldLine || line);
     return parts.reduce((sum, rings) => sum + rings.reduce((n, figure) => n + figure.size, 0), 0);
   }
 
@@ -89,9 +108,9 @@ export class WorldPainter {
   }
 
   /** What lies between the walls, where that can be seen. */
-  private bands(frame: Frame, body: number, parts: Band[][], colours: Colours): void {
+  private bands(frame: Frame, body: number, bands: Band[], colours: Colours): void {
     const c = this.context;
-    for (const [width, ...walls] of parts.flat()) {
+    for (const [width, ...walls] of bands) {
       if (width * this.camera.scale < leastBand) continue;
       const path = new Path2D();
       for (const wall of walls) this.addWall(path, frame.poses[body], wall);
@@ -111,10 +130,10 @@ export class WorldPainter {
     path.closePath();
   }
 
-  private vertices(frame: Frame, body: number, colour: string): void {
+  private vertices(frame: Frame, body: number, figures: Figure[], colour: string): void {
     const c = this.context;
     c.fillStyle = colour;
-    for (const figure of frame.shapes[body].parts.flat()) {
+    for (const figure of figures) {
       for (let i = 0; i < figure.corners; ++i) {
         const [x, y] = this.camera.pixel(...placed(frame.poses[body], ...figure.corner(i)));
         c.fillRect(x - 1.75, y - 1.75, 3.5, 3.5);
@@ -122,9 +141,9 @@ export class WorldPainter {
     }
   }
 
-  private number(frame: Frame, body: number, world: WorldLooks): void {
-    const [u, v, room] = world.inner[body] ?? [0, 0, 0];
-    if (room * this.camera.scale < roomForNumber) return;
+  private number(frame: Frame, { body, parts }: Sheet, world: WorldLooks): void {
+    const [u, v, room, part] = world.inner[body] ?? [0, 0, 0, 0];
+    if (room * this.camera.scale < roomForNumber || !parts.includes(part)) return;
     const c = this.context;
     const [x, y] = this.camera.pixel(...placed(frame.poses[body], u, v));
     c.font = "600 11px system-ui, sans-serif";

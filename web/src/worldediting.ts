@@ -1,9 +1,19 @@
 // What the playground does to the bodies of a scene as a whole.
 import type { Editor } from "./editing";
 import type { Scene } from "./engine";
+import { heightsText } from "./heights";
 import type { Player } from "./player";
 import type { Workbench } from "./workbench";
-import { withBody, withHole, withIgnored, withName, withoutBody, withoutIgnored, withParent } from "./worldedits";
+import {
+  withBody,
+  withHeights,
+  withHole,
+  withIgnored,
+  withName,
+  withoutBody,
+  withoutIgnored,
+  withParent,
+} from "./worldedits";
 import { WorldPanel } from "./worldpanel";
 
 export interface WorldEditingHost {
@@ -27,6 +37,14 @@ export class WorldEditing {
       removeBody: () => this.removeBody(),
       cutHole: () => this.cutHole(),
       setParent: (name) => this.setParent(name),
+      setHeights: (z) => {
+        const { scene, body } = this.editor;
+        this.host.change(
+          withHeights(scene, body, z),
+          `${scene.bodies[body].name} reaches through ${heightsText(z)}.`,
+          body,
+        );
+      },
       ignore: (other) => {
         const { scene, body } = this.editor;
         this.host.change(withIgnored(scene, scene.bodies[body].name, other), "", body);

@@ -1,5 +1,5 @@
 // Changes to which bodies a scene has, and how they belong together. Each gives a new scene.
-import type { Part, Pose, Ring, Scene } from "./engine";
+import type { Heights, Part, Pose, Ring, Scene } from "./engine";
 import { freshName, renamed } from "./importing";
 import { carried, keyframesOf, motionOf, pivotOf, seenFrom } from "./motions";
 
@@ -63,6 +63,7 @@ export function withHole(scene: Scene, index: number, [x, y, room, part]: [numbe
   if ("path" in before) {
     // Its rings are those of an outline and its holes: by this rule one more subpath within is one more hole.
     body.parts[part] = {
+      ...before,
       path: `${before.path} M ${hole.map((p) => p.join(" ")).join(" L ")} Z`,
       "fill-rule": "evenodd",
     };
@@ -99,6 +100,15 @@ export function withParent(
   const pivot = pivotOf(body) ?? [0, 0];
   body.motion = motionOf(carried(frames, pivot, by), pivot);
   return { scene: out, stays: true };
+}
+
+/** The body reaches through these layers; parts that have layers of their own keep them. */
+export function withHeights(scene: Scene, index: number, z: Heights): Scene {
+  const out = structuredClone(scene);
+  const body = out.bodies[index];
+  if (z[0] === null && z[1] === null) delete body.z;
+  else body.z = z;
+  return out;
 }
 
 export function withIgnored(scene: Scene, a: string, b: string): Scene {

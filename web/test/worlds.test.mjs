@@ -100,6 +100,36 @@ test("bodies stand below their parents, can be hidden, and ignored pairs are lis
   await page.close();
 });
 
+test("higher layers lie over lower ones, and each can be hidden", async () => {
+  const page = await view("examples/layers.json", "layers");
+  const rows = await page.$$eval("#layers li span:first-of-type", (spans) => spans.map((s) => s.textContent));
+  assert.deepEqual(rows, ["z 4..5", "z 2..4", "z 0..2", "z -1..5", "z -1..0"]);
+  const tree = await page.$$eval("#bodies .heights", (spans) => spans.map((s) => s.textContent));
+  assert.deepEqual(tree, ["z 0..2", "z 2..4", "z -1..0, z -1..5, z 4..5"]);
+  assert.match(await page.textContent("#answer"), /2 tested.*not tested: 1 on different layers/);
+  const [lower, upper, pin] = fills;
+  const below = await pixelsOf(page, lower);
+  const cap = await pixelsOf(page, pin);
+  await screenshot(page, "layers");
+  await page.getByLabel("Show z 2..4", { exact: true }).uncheck();
+  await settled(page);
+  assert.equal(await pixelsOf(page, upper), 0);
+  assert.ok((await pixelsOf(page, lower)) > 1.1 * below, "what the upper blade covered is seen");
+  // The head of the pin is its part on the highest layer; what is left of it is in the bore.
+  await page.getByLabel("Show z 4..5", { exact: true }).uncheck();
+  await settled(page);
+  assert.ok((await pixelsOf(page, pin)) < 0.5 * cap, "the head of the pin is gone");
+  assert.ok((await pixelsOf(page, pin)) > 20, "its shaft is not");
+  await page.getByLabel("Show z 2..4", { exact: true }).check();
+  await settled(page);
+  assert.ok((await pixelsOf(page, upper)) > 1000);
+  assert.deepEqual(page.problems, []);
+  await page.close();
+  const flat = await view("examples/worlds/room.json", "layers-none");
+  assert.equal(await flat.textContent("#layers"), "", "no list where all bodies reach through everything");
+  await flat.close();
+});
+
 test("a child is where its chain of parents puts it, also while time runs", async () => {
   const page = await view("examples/worlds/arm.json", "world-arm-poses");
   const tip = (t) =>
@@ -256,6 +286,42 @@ test("a body gets another name wherever it is named, and a new scene shows all b
   await settled(page);
   assert.ok((await pixelsOf(page, fills[0])) > 1000);
   assert.ok(await page.getByLabel("Show room", { exact: true }).isChecked());
+  assert.deepEqual(page.problems, []);
+  await page.close();
+});
+
+test("layers are set in the panel, and stay while bodies are edited", async () => {
+  const page = await playground("worlds/arm");
+  const type = async (field, text) => {
+    await page.fill(field, text);
+    await page.press(field, "Enter");
+    await settled(page);
+  };
+  await page.selectOption("#body", "0");
+  assert.equal(await page.inputValue("#height-low"), "", "all layers");
+  await type("#height-low", "3");
+  assert.deepEqual((await sceneOf(page)).bodies[0].z, [3, null]);
+  await type("#height-high", "2");
+  assert.match(await page.textContent(".world-panel"), /Upper height: the lower height must be below the upper one/);
+  assert.deepEqual((await sceneOf(page)).bodies[0].z, [3, null]);
+  await type("#height-high", "6");
+  await page.selectOption("#body", "3");
+  await type("#height-high", "3");
+  // The shelf is above the hand now, and was what it met.
+  const answer = await compare(page, "played-layers");
+  assert.equal(answer.coverage.layers, 1);
+  assert.match(await page.textContent("#answer"), /1 on different layers/);
+  assert.deepEqual((await sceneOf(page)).bodies[3].z, [null, 3]);
+  await screenshot(page, "playground-layers");
+
+  await page.click("#cut-hole");
+  await page.selectOption("#parent", "upper arm");
+  await page.fill("#name", "claw");
+  await page.press("#name", "Enter");
+  await compare(page, "played-layers-kept");
+  assert.deepEqual((await sceneOf(page)).bodies[3].z, [null, 3]);
+  await type("#height-high", "");
+  assert.equal((await sceneOf(page)).bodies[3].z, undefined);
   assert.deepEqual(page.problems, []);
   await page.close();
 });
