@@ -14,6 +14,7 @@
 #include "import/kept_curves.hpp"
 #include "import/overlaps.hpp"
 #include "import/text_encoding.hpp"
+#include "io/heights_text.hpp"
 #include "io/json_object.hpp"
 #include "io/text_file.hpp"
 #include "taut/error.hpp"
@@ -151,7 +152,7 @@ void BodyMaker::give_heights(Drawing& drawing) {
       if (given && !(given->z == heights.z))
         throw InputError("--layer",
                          fmt::format("layer \"{}\" is given two pairs of heights, {} and {}", io::excerpt(layer.name),
-                                     heights_text(given->z), heights_text(heights.z)),
+                                     io::heights_text(given->z), io::heights_text(heights.z)),
                          "give each layer one pair of heights");
       given = &heights;
     }

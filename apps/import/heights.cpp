@@ -49,11 +49,6 @@ void choose_layer(ImportSettings& settings, const std::string& choice, const cha
   settings.heights.push_back({name, layers_in(choice.substr(sign + 1), name, option)});
 }
 
-std::string heights_text(const Layers& z) {
-  const auto end = [](double height) { return std::isfinite(height) ? io::number_text(height) : std::string(); };
-  return "z " + end(z.lo) + ".." + end(z.hi);
-}
-
 std::vector<Level> take_levels(Drawing& drawing) {
   std::vector<Level> levels;
   const auto level_at = [&](const std::optional<Layers>& z) -> Level& {

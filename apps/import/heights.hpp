@@ -14,9 +14,6 @@ namespace taut::drawing {
 /// below HI.
 void choose_layer(ImportSettings& settings, const std::string& choice, const char* option);
 
-/// "z 0..3", or "z 3.." where there is no upper end.
-std::string heights_text(const Layers& z);
-
 /// What a drawing has between the same two heights.
 struct Level {
   std::optional<Layers> z;  ///< nothing: all heights

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "import/heights.hpp"
 #include "import/import.hpp"
+#include "io/heights_text.hpp"
 #include "io/json_text.hpp"
 #include "io/text_file.hpp"
 
@@ -209,7 +209,7 @@ std::string file_json(const FileReport& file) {
 /// ", z 0..3 and z 3..6", or nothing.
 std::string levels_text(const BodyReport& body) {
   std::string s;
-  for (const Layers& z : body.z) s += (s.empty() ? ", " : " and ") + heights_text(z);
+  for (const Layers& z : body.z) s += (s.empty() ? ", " : " and ") + io::heights_text(z);
   return s;
 }
 

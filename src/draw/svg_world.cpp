@@ -34,7 +34,7 @@ class WorldPicture {
       const std::string path = io::tiling_path(shapes_, poses_, lines, pq, canvas_);
       if (!path.empty()) out += io::tiling_element(path, pq);
     }
-    for (const std::size_t body : shapes_.painting_order()) out += draw_body(body);
+    for (const io::PaintedSheet& sheet : shapes_.sheets()) out += draw_sheet(sheet);
     for (const std::size_t body : shapes_.painting_order()) out += draw_number(body);
     out += io::world_marks(scene_, shapes_, poses_, canvas_, options_);
     if (options_.legend) out += legend_.draw(canvas_.height() - legend_.height());
@@ -53,9 +53,9 @@ class WorldPicture {
     return points;
   }
 
-  std::string draw_body(std::size_t body) const {
-    const auto pixel = [&](const Point& p) { return canvas_.pixel(io::placed(poses_[body], p)); };
-    return io::body_shape(shapes_, body, pixel) + "\n";
+  std::string draw_sheet(const io::PaintedSheet& sheet) const {
+    const auto pixel = [&](const Point& p) { return canvas_.pixel(io::placed(poses_[sheet.body], p)); };
+    return io::sheet_shape(shapes_, sheet, pixel) + "\n";
   }
 
   std::string draw_number(std::size_t body) const {

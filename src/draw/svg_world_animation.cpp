@@ -86,7 +86,7 @@ class WorldAnimation {
   /// Moving, or the last frame alone.
   std::string layers(bool moving) const {
     std::string out = draw_tilings(moving);
-    for (const std::size_t body : shapes_.painting_order()) out += draw_body(body, moving);
+    for (const io::PaintedSheet& sheet : shapes_.sheets()) out += draw_sheet(sheet, moving);
     for (const std::size_t body : shapes_.painting_order()) out += draw_number(body, moving);
     const std::string marks = io::world_marks(scene_, shapes_, frames_.back().poses, canvas_, options_.draw);
     if (!marks.empty()) out += "<g>" + shown_at_the_end(moving) + marks + "</g>\n";
@@ -169,14 +169,15 @@ class WorldAnimation {
                        moving ? transform("translate", place) : "", drawn);
   }
 
-  std::string draw_body(std::size_t body, bool moving) const {
+  std::string draw_sheet(const io::PaintedSheet& sheet, bool moving) const {
+    const std::size_t body = sheet.body;
     const Frame& shown = moving ? frames_.front() : frames_.back();
     const Point middle = pixel(shown, body, shapes_.middle(body));
     const auto local = [&](const Point& p) {
       const Point q = pixel(shown, body, p);
       return Point{q.x - middle.x, q.y - middle.y};
     };
-    const std::string path = io::body_shape(shapes_, body, local);
+    const std::string path = io::sheet_shape(shapes_, sheet, local);
     if (!moving) return carried(body, shapes_.middle(body), path, false);
     // In pixels y points down: what turns left there turns right here.
     const auto turned = [&](const Frame& frame) { return fmt::format("{:.2f}", -frame.degrees[body] + 0.0); };

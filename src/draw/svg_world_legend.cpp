@@ -7,7 +7,9 @@
 
 #include "draw/svg_canvas.hpp"
 #include "draw/world_shapes.hpp"
+#include "io/heights_text.hpp"
 #include "io/text_file.hpp"
+#include "scene/cross_sections.hpp"
 
 namespace taut::internal::io {
 
@@ -16,7 +18,7 @@ namespace {
 constexpr double left_edge = 24, row_step = 18, indentation = 14, swatch = 24;
 /// More bodies, or pairs, than these are counted instead of listed.
 constexpr std::size_t most_bodies = 60, most_ignored = 8;
-constexpr std::size_t longest_name = 24;
+constexpr std::size_t longest_name = 24, most_layers = 2;
 /// No font metrics here: a generous average width does.
 constexpr double letter = 6.6;
 
@@ -31,6 +33,19 @@ std::vector<std::string> wrapped(const std::vector<std::string>& items, const st
     lines.back() += item;
   }
   return lines;
+}
+
+/// What is written behind the name of a body: its layers, unless it reaches through all of them.
+std::string layers_behind(const Body& body) {
+  std::vector<Layers> layers = layers_of_parts(body);
+  std::sort(layers.begin(), layers.end(),
+            [](const Layers& a, const Layers& b) { return std::pair(a.lo, a.hi) < std::pair(b.lo, b.hi); });
+  layers.erase(std::unique(layers.begin(), layers.end()), layers.end());
+  if (layers.size() == 1 && layers[0] == Layers{}) return "";
+  if (layers.size() > most_layers) return fmt::format(", {} layers", layers.size());
+  std::string text;
+  for (const Layers& z : layers) text += ", " + heights_text(z);
+  return text;
 }
 
 }  // namespace
@@ -51,7 +66,7 @@ WorldLegend::WorldLegend(const Scene& scene, int width) : scene_(scene), width_(
 }
 
 void WorldLegend::add_family(const std::vector<std::vector<std::size_t>>& children, std::size_t body, int depth) {
-  entries_.push_back({body, depth});
+  entries_.push_back({body, depth, 0, 0, layers_behind(scene_.bodies[body])});
   for (const std::size_t child : children[body]) add_family(children, child, depth + 1);
 }
 
@@ -88,7 +103,8 @@ void WorldLegend::choose_rows() {
 double WorldLegend::column_width() const {
   double widest = 0;
   for (std::size_t k = 0; k < shown_; ++k) {
-    const std::size_t letters = std::min(scene_.bodies[entries_[k].body].name.size(), longest_name);
+    const std::size_t letters =
+        std::min(scene_.bodies[entries_[k].body].name.size(), longest_name) + entries_[k].layers.size();
     widest = std::max(widest, indentation * entries_[k].depth + letter * static_cast<double>(letters));
   }
   return widest + swatch + 24;
@@ -120,7 +136,7 @@ std::string WorldLegend::draw_entry(const Entry& entry, double top) const {
       "stroke=\"{}\"/>"
       "<text x=\"{}\" text-anchor=\"middle\" font-size=\"11\" fill=\"{}\">{}</text><text x=\"{}\">{}</text></g>\n",
       x, y, swatch, look.fill, look.line, swatch / 2, look.ink, entry.body + 1, swatch + 6,
-      escape_xml(excerpt(scene_.bodies[entry.body].name, longest_name)));
+      escape_xml(excerpt(scene_.bodies[entry.body].name, longest_name) + entry.layers));
 }
 
 std::string WorldLegend::draw(double top) const {

@@ -24,6 +24,7 @@ class WorldLegend {
     std::size_t body = 0;
     int depth = 0;
     std::size_t column = 0, row = 0;
+    std::string layers = {};  ///< what is written behind the name
   };
   void add_family(const std::vector<std::vector<std::size_t>>& children, std::size_t body, int depth);
   std::size_t place(std::size_t rows);

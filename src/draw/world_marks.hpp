@@ -31,15 +31,15 @@ std::string rings_path(const std::vector<Polygon>& rings, const Pixel& pixel) {
 
 /// A body of these parts, each the data of a path. What of a part's line lies inside another part is not seen.
 std::string body_shape(const std::vector<std::string>& parts, std::size_t body, double line_width);
-/// The same for the parts of `shapes`.
+/// The same for those parts of `shapes` that are painted at once.
 template <class Pixel>
-std::string body_shape(const WorldShapes& shapes, std::size_t body, const Pixel& pixel) {
+std::string sheet_shape(const WorldShapes& shapes, const PaintedSheet& sheet, const Pixel& pixel) {
+  const std::vector<CurvedPart>& curves = shapes.curves(sheet.body);
   std::vector<std::string> parts;
-  for (const CurvedPart& part : shapes.curves(body)) parts.push_back(curve_path(part, pixel));
-  if (parts.empty()) {
-    for (const std::vector<Polygon>& rings : shapes.parts(body)) parts.push_back(rings_path(rings, pixel));
-  }
-  return body_shape(parts, body, world_outline_width(shapes));
+  for (const std::size_t part : sheet.parts)
+    parts.push_back(curves.empty() ? rings_path(shapes.parts(sheet.body)[part], pixel)
+                                   : curve_path(curves[part], pixel));
+  return body_shape(parts, sheet.body, world_outline_width(shapes));
 }
 
 /// All marks of `options`, where the bodies are at `poses`.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <tuple>
 #include <utility>
 
@@ -91,7 +90,7 @@ std::vector<std::vector<Polygon>> rings_of(const Body& body) {
 
 BodyLook body_look(std::size_t body) { return looks[body % body_looks]; }
 
-WorldShapes::WorldShapes(const Scene& scene) : order_(scene.bodies.size()) {
+WorldShapes::WorldShapes(const Scene& scene) {
   for (const Body& body : scene.bodies) {
     Shape shape;
     AxisBox box;
@@ -108,18 +107,29 @@ WorldShapes::WorldShapes(const Scene& scene) : order_(scene.bodies.size()) {
     }
     shape.middle = {box.lo_x / 2 + box.hi_x / 2, box.lo_y / 2 + box.hi_y / 2};
     shape.extent = std::hypot(box.width(), box.height());
-    const std::vector<Layers> layers = layers_of_parts(body);
-    shape.z = *std::min_element(layers.begin(), layers.end(), [](const Layers& a, const Layers& b) {
-      return std::pair(a.lo, a.hi) < std::pair(b.lo, b.hi);
-    });
+    add_sheets(body, bodies_.size());
     bodies_.push_back(std::move(shape));
   }
-  std::iota(order_.begin(), order_.end(), std::size_t{0});
   // Higher layers over lower ones, and small bodies over large ones.
-  std::stable_sort(order_.begin(), order_.end(), [this](std::size_t a, std::size_t b) {
-    const Shape &p = bodies_[a], &q = bodies_[b];
-    return std::tuple(p.z.lo, p.z.hi, -p.extent) < std::tuple(q.z.lo, q.z.hi, -q.extent);
+  std::stable_sort(sheets_.begin(), sheets_.end(), [this](const PaintedSheet& a, const PaintedSheet& b) {
+    return std::tuple(a.z.lo, a.z.hi, -bodies_[a.body].extent) < std::tuple(b.z.lo, b.z.hi, -bodies_[b.body].extent);
   });
+  std::vector<bool> known(bodies_.size(), false);
+  for (const PaintedSheet& sheet : sheets_) {
+    if (!known[sheet.body]) order_.push_back(sheet.body);
+    known[sheet.body] = true;
+  }
+}
+
+void WorldShapes::add_sheets(const Body& body, std::size_t index) {
+  const std::size_t first = sheets_.size();
+  const std::vector<Layers> layers = layers_of_parts(body);
+  for (std::size_t part = 0; part < layers.size(); ++part) {
+    std::size_t k = first;
+    while (k < sheets_.size() && !(sheets_[k].z == layers[part])) ++k;
+    if (k == sheets_.size()) sheets_.push_back({index, {}, layers[part]});
+    sheets_[k].parts.push_back(part);
+  }
 }
 
 Point placed(const BodyPose& pose, const Point& p) {

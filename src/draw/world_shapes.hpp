@@ -26,6 +26,13 @@ struct InnerPoint {
   std::size_t part = 0;  ///< that it is in
 };
 
+/// The parts of a body between the same heights: they are painted at once.
+struct PaintedSheet {
+  std::size_t body = 0;
+  std::vector<std::size_t> parts;  ///< in order
+  Layers z;
+};
+
 /// All bodies, in their own coordinates.
 class WorldShapes {
  public:
@@ -41,6 +48,8 @@ class WorldShapes {
   const Point& middle(std::size_t body) const { return bodies_[body].middle; }
   std::size_t vertices() const { return vertices_; }
   /// Lower layers first; of one layer, larger bodies first, so that none hides a smaller one that it overlaps.
+  const std::vector<PaintedSheet>& sheets() const { return sheets_; }
+  /// Bodies in the order of their lowest sheets.
   const std::vector<std::size_t>& painting_order() const { return order_; }
 
  private:
@@ -50,9 +59,11 @@ class WorldShapes {
     InnerPoint inner;
     Point middle;
     double extent = 0;
-    Layers z;  ///< of its lowest part
   };
+  void add_sheets(const Body& body, std::size_t index);
+
   std::vector<Shape> bodies_;
+  std::vector<PaintedSheet> sheets_;
   std::vector<std::size_t> order_;
   std::size_t vertices_ = 0;
 };

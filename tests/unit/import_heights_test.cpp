@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "import/heights.hpp"
+#include "io/heights_text.hpp"
 #include "support/drawings.hpp"
 #include "taut/error.hpp"
 #include "taut/io.hpp"
@@ -65,7 +66,7 @@ TEST(ImportHeights, TakesNamesWithAndWithoutHeights) {
   EXPECT_EQ(settings.heights[1].name, "c=d");
   expect_layers(settings.heights[1].z, -1.5, no_height);
   expect_layers(settings.heights[2].z, -no_height, 2);
-  EXPECT_EQ(drawing::heights_text(settings.heights[1].z), "z -1.5..");
+  EXPECT_EQ(internal::io::heights_text(settings.heights[1].z), "z -1.5..");
 }
 
 TEST(ImportHeights, RefusesHeightsThatAreNone) {

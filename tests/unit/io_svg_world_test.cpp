@@ -221,5 +221,33 @@ TEST(SvgWorldAnimation, EndsWhereTheStillPictureIs) {
   }
 }
 
+/// The head of the pin is a part of it on the highest layer, and its foot one on the lowest.
+TEST(SvgWorld, PaintsPartsOfABodyOnTheirLayers) {
+  const Scene scene = read_scene("examples/layers.json");
+  const std::string fills[] = {"#2a6f9e", "#e59345", "#0f7d74"};
+  for (const bool moving : {false, true}) {
+    WorldDrawOptions options;
+    options.legend = false;
+    WorldAnimateOptions animation;
+    animation.draw = options;
+    const std::string svg = moving ? animate_world_svg(scene, scene.end, animation) : draw_world_svg(scene, 0, options);
+    std::vector<int> order;
+    for (std::size_t at = svg.find("<g fill=\"#"); at != std::string::npos; at = svg.find("<g fill=\"#", at + 1))
+      for (int body = 0; body < 3; ++body)
+        if (svg.compare(at + 9, 7, fills[body]) == 0) order.push_back(body);
+    // Foot and shaft, the lower blade, the upper one, the head.
+    const std::vector<int> once{2, 2, 0, 1, 2};
+    ASSERT_GE(order.size(), once.size()) << moving;
+    EXPECT_EQ(std::vector<int>(order.begin(), order.begin() + 5), once) << moving;
+  }
+}
+
+TEST(SvgWorld, NamesLayersInTheLegend) {
+  const std::string svg = draw_world_svg(read_scene("examples/layers.json"), 0, {});
+  EXPECT_NE(svg.find(">upper blade, z 2..4<"), std::string::npos);
+  EXPECT_NE(svg.find(">pin, 3 layers<"), std::string::npos);
+  EXPECT_EQ(draw_world_svg(read_scene("examples/worlds/room.json"), 0, {}).find("layers"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace taut
