@@ -41,6 +41,22 @@ def test_an_outline_that_stays_open_is_a_fault(tmp_path):
     assert joined.files[0].gaps[0].width == pytest.approx(0.5)
 
 
+def test_layers_have_heights(tmp_path):
+    file = tmp_path / "layers.svg"
+    file.write_text('<svg fill="none" stroke="black"><g id="a"><rect width="9" height="9"/></g><g id="b">'
+                    '<rect x="2" y="2" width="2" height="2"/></g></svg>')
+    drawing = taut2d.read_drawing(file, layers={"a": (0, 3), "b": (3, None)})
+    assert drawing.area == pytest.approx(85)
+    assert [tuple(body.z) for body in drawing.scene.bodies] == [(0, 3), (3, None)]
+    assert [body.z for body in drawing.bodies] == [((0, 3),), ((3, None),)]
+    drawing = taut2d.read_drawing(file, layers={"a": (0, 3), "b": None})
+    assert drawing.scene.bodies[1].z is None and drawing.bodies[1].z == ()
+    assert "no heights are given for layer b" in drawing.files[0].notes[0]
+    with pytest.raises(InputError, match="run from") as error:
+        taut2d.read_drawing(file, layers={"a": (3, 3)})
+    assert error.value.place == "layers['a']"
+
+
 def test_layers_and_words(tmp_path):
     file = tmp_path / "layers.svg"
     file.write_text('<svg fill="none" stroke="black"><g id="a"><rect width="9" height="9"/></g><g id="b">'
