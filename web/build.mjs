@@ -42,7 +42,7 @@ const titles = {
   rotor: "Rotor (Fig. 17)",
   rotor_long_tooth: "Rotor, one tooth too long",
   spiral: "Spirals",
-  layers: "Layers: scissors",
+  "worlds/layers": "Layers: scissors",
   "worlds/room": "World: a robot in a room",
   "worlds/arm": "World: an arm of three links",
   "worlds/planetary": "World: a planetary gear",

@@ -223,7 +223,7 @@ TEST(SvgWorldAnimation, EndsWhereTheStillPictureIs) {
 
 /// The head of the pin is a part of it on the highest layer, and its foot one on the lowest.
 TEST(SvgWorld, PaintsPartsOfABodyOnTheirLayers) {
-  const Scene scene = read_scene("examples/layers.json");
+  const Scene scene = read_scene("examples/worlds/layers.json");
   const std::string fills[] = {"#2a6f9e", "#e59345", "#0f7d74"};
   for (const bool moving : {false, true}) {
     WorldDrawOptions options;
@@ -243,7 +243,7 @@ TEST(SvgWorld, PaintsPartsOfABodyOnTheirLayers) {
 }
 
 TEST(SvgWorld, NamesLayersInTheLegend) {
-  const std::string svg = draw_world_svg(read_scene("examples/layers.json"), 0, {});
+  const std::string svg = draw_world_svg(read_scene("examples/worlds/layers.json"), 0, {});
   EXPECT_NE(svg.find(">upper blade, z 2..4<"), std::string::npos);
   EXPECT_NE(svg.find(">pin, 3 layers<"), std::string::npos);
   EXPECT_EQ(draw_world_svg(read_scene("examples/worlds/room.json"), 0, {}).find("layers"), std::string::npos);

@@ -101,7 +101,7 @@ test("bodies stand below their parents, can be hidden, and ignored pairs are lis
 });
 
 test("higher layers lie over lower ones, and each can be hidden", async () => {
-  const page = await view("examples/layers.json", "layers");
+  const page = await view("examples/worlds/layers.json", "layers");
   const rows = await page.$$eval("#layers li span:first-of-type", (spans) => spans.map((s) => s.textContent));
   assert.deepEqual(rows, ["z 4..5", "z 2..4", "z 0..2", "z -1..5", "z -1..0"]);
   const tree = await page.$$eval("#bodies .heights", (spans) => spans.map((s) => s.textContent));
