@@ -140,7 +140,7 @@ expect 2 '' 'did you mean "mark"' import open.svg --layer marc
 expect 0 '"z":\[0,3\]' 'area 12.* x 4, z 3\.\.6|area [0-9.]+, 4 x 4, z 3\.\.6' import open.svg --open close --layer cut=0:3 --layer mark=3:6
 expect 0 '"z":\[\[null,3\]\]' '' import open.svg --open close --layer cut=:3 --layer mark=3: --json -o open.json
 is_json_lines
-expect 2 'the only pair 1 is on different layers' '' check open.json
+expect 2 'the only pair is on different layers' '' check open.json
 expect 2 '' '--layer: layer "mark" runs from 3 to 0' import open.svg --layer mark=3:0
 expect 2 '' 'plate.svg:2:[0-9]+: <text> is text' import plate.svg --strict
 expect 2 '' '--by' import plate.svg --by size

@@ -30,8 +30,9 @@ void ProofWriter::started(const KineticSolver& solver) {
 /// All operations that may be interrupted come first, so that nothing is written partially.
 void ProofWriter::on_event(const KineticSolver& solver, const EngineEvent& event) {
   const double at = about(solver.geometry(), event);
-  to_segment(event.segment_index);
   const bool hit = event.report.repair == Repair::collision;
+  if (hit) note_contact(solver, event, at);
+  to_segment(event.segment_index);
   switch (event.report.gone) {
     case Gone::none:
       kind(Record::event);
@@ -46,7 +47,6 @@ void ProofWriter::on_event(const KineticSolver& solver, const EngineEvent& event
   out_.f64(at);
   out_.u32(event.corner.value);
   last_event_ = at;
-  if (hit) note_contact(solver, event, at);
   if (trace_) trace_->on_event(solver, event);
 }
 

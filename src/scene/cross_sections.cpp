@@ -14,6 +14,11 @@ std::vector<Layers> layers_of_parts(const Body& body) {
 
 std::vector<CrossSection> cross_sections_of(const Body& body) {
   const std::vector<Layers> parts = layers_of_parts(body);
+  if (std::all_of(parts.begin(), parts.end(), [&](const Layers& z) { return z == parts[0]; })) {
+    CrossSection all{parts[0], {}};
+    for (std::size_t k = 0; k < parts.size(); ++k) all.parts.push_back(k);
+    return {all};
+  }
   std::vector<double> ends;
   for (const Layers& z : parts) ends.insert(ends.end(), {z.lo, z.hi});
   std::sort(ends.begin(), ends.end());

@@ -74,6 +74,8 @@ void Instance::add_bodies(const Scene& scene) {
 void Instance::add_sections(const Scene& scene) {
   bool layered = false;
   for (std::size_t i = 0; i < in_scene_; ++i) {
+    layered = layered || !(bodies_[i].z == Layers{});
+    if (scene.bodies[i].parts.size() < 2) continue;
     const std::vector<CrossSection> sections = cross_sections_of(scene.bodies[i]);
     for (std::size_t k = 1; k < sections.size(); ++k) {
       InstanceBody body;
@@ -81,8 +83,8 @@ void Instance::add_sections(const Scene& scene) {
       body.body = body.parent = static_cast<int>(i);
       body.z = sections[k].z;
       bodies_.push_back(std::move(body));
+      layered = true;
     }
-    for (const CrossSection& section : sections) layered = layered || !(section.z == Layers{});
   }
   if (!layered) return;
   layers_.resize(in_scene_);

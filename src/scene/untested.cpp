@@ -20,6 +20,9 @@ std::string why_untested(const Coverage& c) {
   const std::string start = "nothing was tested: " + pairs;
   if (c.ignored == c.pairs)
     return start + (c.pairs == 1 ? " is ignored" : " all are ignored") + R"(; take a pair out of "ignore")";
+  if (c.layers == c.pairs)
+    return start + (c.pairs == 1 ? " is" : " all are") +
+           R"( on different layers; give bodies a layer in common, by their "z")";
   std::string parts;
   const auto add = [&](std::uint64_t count, const char* what) {
     if (count > 0) parts += (parts.empty() ? " " : ", ") + counted(count, what);
