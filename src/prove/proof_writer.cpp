@@ -64,20 +64,20 @@ double ProofWriter::about(const PairGeometry& geometry, const EngineEvent& event
   return lo + (hi - lo) / 2;
 }
 
-/// The instant does not depend on when the corner came to be, which is known to have its sign since then.
+/// Of the corner that determined the repair, which may be another one than the certificate's. The instant does not
+/// depend on when the corner came to be, which is known to have its sign since then.
 void ProofWriter::note_contact(const KineticSolver& solver, const EngineEvent& event, double about) {
-  const bool first = event.report.gone == Gone::first;
   const PlanarMap& map = solver.engines()->engine(0).map();
-  const HalfedgeId hit = first ? event.corner : map.next(event.corner);
+  const HalfedgeId h = event.corner;
   proof::Lifetimes lifetimes(solver.geometry());
   lifetimes.enter(*event.segment);
   const proof::FineInstant since{std::max(event.segment->start, event.lo - (event.hi - event.lo)), 0, 0};
   try {
-    const Instant now = lifetimes.failure({event.u, event.v, event.w, 1, proof::instant_at(since)}, about);
-    contact_ =
-        proof::proved_contact(solver.features(), {first ? event.w : event.u, map.origin(HalfedgeId(hit.value & ~1u))},
-                              *event.segment, lifetimes.tightened(now), scene_.start, INFINITY)
-            .contact;
+    const Instant now =
+        lifetimes.failure({map.origin(h), map.target(h), map.target(map.next(h)), 1, proof::instant_at(since)}, about);
+    contact_ = proof::proved_contact(solver.features(), {event.report.hitting, map.origin(event.report.hit)},
+                                     *event.segment, lifetimes.tightened(now), scene_.start, INFINITY)
+                   .contact;
   } catch (const ProofError&) {
     // Too close to its beginning for a sign in between: the engine's own enclosure stays.
   } catch (const Undecidable&) {
