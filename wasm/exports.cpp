@@ -126,6 +126,7 @@ std::string status_text(const Recording& r, bool reached) {
 const char* outcome_state(Outcome outcome) {
   switch (outcome) {
     case Outcome::free:
+    case Outcome::locked:
       return "finished";
     case Outcome::contact:
       return "contact";

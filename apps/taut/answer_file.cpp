@@ -76,7 +76,7 @@ std::optional<int> code_of(const Members& answer, bool allow_untested) {
     return error->rfind("internal error", 0) == 0 ? exit_internal : exit_bad_input;
   const auto outcome = answer.word("outcome");
   for (const Outcome known : {Outcome::free, Outcome::contact, Outcome::overlap_at_start, Outcome::closer_at_start,
-                              Outcome::undecided, Outcome::untested}) {
+                              Outcome::undecided, Outcome::untested, Outcome::locked}) {
     if (outcome && *outcome == to_string(known)) return exit_code(known, allow_untested);
   }
   return std::nullopt;

@@ -4,7 +4,6 @@
 #include <memory>
 
 #include "commands.hpp"
-#include "coverage_text.hpp"
 #include "feature_text.hpp"
 #include "interrupt.hpp"
 #include "report.hpp"
@@ -46,13 +45,14 @@ const char* kind(const EdgeRef& edge) { return edge.parameter ? "segment" : "edg
 std::string no_verdict(const Scene& scene, Outcome outcome, const std::string& reason, const Coverage& coverage) {
   const std::string subject = subject_text(scene, std::nullopt);
   if (outcome == Outcome::untested) return "UNTESTED  " + subject + "\n  " + reason + "\n";
-  return "UNDECIDED  " + subject + "\n" + coverage_text(coverage) + "  " + reason + "\n";
+  return "UNDECIDED  " + subject + "\n" + grounds_text(scene, coverage) + "  " + reason + "\n";
 }
 
 std::string clearance_text(const Scene& scene, const Clearance& answer) {
-  if (!answer.nearest) return no_verdict(scene, answer.outcome, answer.reason, answer.coverage);
+  if (!answer.nearest || answer.outcome == Outcome::undecided)
+    return no_verdict(scene, answer.outcome, answer.reason, answer.coverage);
   const NearestPoints& n = *answer.nearest;
-  std::string text = "CLEARANCE  " + nearest_line(scene, n) + coverage_text(answer.coverage);
+  std::string text = "CLEARANCE  " + nearest_line(scene, n) + grounds_text(scene, answer.coverage);
   if (n.hi > 0)
     text +=
         fmt::format("  {} {} of {} at ({:.9g}, {:.9g}), {} {} of {} at ({:.9g}, {:.9g})\n", kind(n.edges[0]),
@@ -87,7 +87,7 @@ std::string profile_text(const Scene& scene, const DistanceProfile& answer) {
   if (answer.curves.empty()) return no_verdict(scene, answer.outcome, answer.reason, answer.coverage);
   std::string text;
   for (const DistanceCurve& c : answer.curves)
-    text += "PROFILE  " + curve_line(scene, c) + (text.empty() ? coverage_text(answer.coverage) : "") +
+    text += "PROFILE  " + curve_line(scene, c) + (text.empty() ? grounds_text(scene, answer.coverage) : "") +
             instants_text(scene, c);
   return text;
 }

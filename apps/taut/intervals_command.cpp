@@ -4,7 +4,6 @@
 #include <memory>
 
 #include "commands.hpp"
-#include "coverage_text.hpp"
 #include "feature_text.hpp"
 #include "interrupt.hpp"
 #include "report.hpp"
@@ -72,7 +71,7 @@ std::string text_of_answer(const Scene& scene, const Intervals& answer, bool all
   const std::size_t n = answer.intervals.size();
   const std::string found = fmt::format("{} interval{} of overlap", n, n == 1 ? "" : "s");
   std::string text = headline(answer, found) + fmt::format("   on [{}, {}]\n", scene.start, scene.end);
-  text += coverage_text(answer.coverage);
+  text += grounds_text(scene, answer.coverage);
   if (answer.outcome == Outcome::undecided) text += "  " + answer.reason + "\n";
   for (const OverlapInterval& o : answer.intervals) text += text_of_answer(scene, o);
   if (answer.undecided.size() > 1 && !all_pairs) return text + "  --pairs all lists the undecided pairs\n";
@@ -86,13 +85,14 @@ std::string text_of_answer(const Scene& scene, const Intervals& answer, bool all
 std::string text_of_answer(const Scene& scene, double t, const Range& answer) {
   if (answer.outcome == Outcome::untested) return untested_text(scene, answer.reason);
   if (answer.outcome != Outcome::free)
-    return "UNDECIDED  " + subject_text(scene, std::nullopt) + "\n" + coverage_text(answer.coverage) + "  " +
+    return "UNDECIDED  " + subject_text(scene, std::nullopt) + "\n" + grounds_text(scene, answer.coverage) + "  " +
            answer.reason + "\n";
   const std::string from = answer.from ? time_text(*answer.from) + degrees_at(scene, *answer.before, *answer.from)
                                        : fmt::format("{}, the start", scene.start);
   const std::string to = answer.to ? time_text(*answer.to) + degrees_at(scene, *answer.after, *answer.to)
-                                   : fmt::format("{}, the end", scene.end);
-  std::string text = fmt::format("FREE  around t = {}: from {} to {}\n", t, from, to) + coverage_text(answer.coverage);
+                                   : fmt::format("{}, the {}", scene.end, scene.lock ? "lock" : "end");
+  std::string text =
+      fmt::format("FREE  around t = {}: from {} to {}\n", t, from, to) + grounds_text(scene, answer.coverage);
   if (answer.before) text += "  before: " + names_of(scene, *answer.before) + "\n";
   if (answer.after) text += "  after:  " + names_of(scene, *answer.after) + "\n";
   return text;

@@ -4,7 +4,6 @@
 
 #include <optional>
 
-#include "coverage_text.hpp"
 #include "feature_text.hpp"
 #include "report.hpp"
 #include "terminal.hpp"
@@ -42,10 +41,10 @@ std::string pair_line(const Scene& scene, const PairMargin& pair) {
 }  // namespace
 
 std::string margin_in_words(const Scene& scene, double clearance, const MarginAnswer& answer) {
-  const std::string all = subject_text(scene, std::nullopt), coverage = coverage_text(answer.coverage);
+  const std::string all = subject_text(scene, std::nullopt), coverage = grounds_text(scene, answer.coverage);
   if (answer.outcome == Outcome::untested) return "UNTESTED  " + all + "\n  " + answer.reason + "\n";
-  if (answer.outcome == Outcome::free)
-    return fmt::format("FREE  {}   {} {:.9g} on [{}, {}]\n{}", all,
+  if (answer.outcome == Outcome::free || answer.outcome == Outcome::locked)
+    return fmt::format("{}  {}   {} {:.9g} on [{}, {}]\n{}", answer.outcome == Outcome::free ? "FREE" : "LOCKED", all,
                        answer.coverage.untested() > 0 ? "tested pairs keep" : "all keep", clearance, scene.start,
                        scene.end, coverage);
   if (!answer.first) {

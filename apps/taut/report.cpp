@@ -31,6 +31,8 @@ std::string headline(const Scene& scene, const Answer& answer) {
       return fmt::format("OVERLAP AT START  {}   t = {}", pair, scene.start);
     case Outcome::undecided:
       return "UNDECIDED  " + pair;
+    case Outcome::locked:
+      return fmt::format("LOCKED  {}   t = {}", pair, time_text({scene.lock->time[0], scene.lock->time[1]}));
     case Outcome::untested:
       return "UNTESTED  " + pair;
     case Outcome::closer_at_start:  // is no answer of check()
@@ -124,10 +126,24 @@ std::string seconds_text(double seconds) {
   return fmt::format("{:.3g} s", seconds);
 }
 
+std::string grounds_text(const Scene& scene, const Coverage& coverage) {
+  std::string text = coverage_text(coverage);
+  if (!scene.lock || scene.lock->kind == MechanismLock::Kind::undecided) return text;
+  const MechanismLock& lock = *scene.lock;
+  const auto list = [](const std::vector<std::string>& names) {
+    std::string s;
+    for (const std::string& name : names) s += (s.empty() ? "" : ", ") + name;
+    return s;
+  };
+  text += fmt::format("  the mechanism locks at t = {} ({}): {} in line", time_text({lock.time[0], lock.time[1]}),
+                      to_string(lock.kind), list(lock.links));
+  return text + (lock.joints.empty() ? "\n" : fmt::format("; free to move there: {}\n", list(lock.joints)));
+}
+
 std::string report(const Scene& scene, const Answer& answer, Touch touch) {
   std::string text = headline(scene, answer) + "\n";
   if (answer.outcome == Outcome::untested) return text + "  " + answer.reason + "\n";
-  text += coverage_text(answer.coverage);
+  text += grounds_text(scene, answer.coverage);
   if (answer.contact) text += witness(scene, *answer.contact);
   if (answer.contact && answer.contact->grazing) text += grazing_means;
   if (answer.touching) text += touching(scene, *answer.touching);

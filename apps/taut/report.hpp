@@ -13,6 +13,9 @@ std::string instant_text(const Scene& scene, double t);
 /// The digits on which both ends of an interval agree: "0.104166...".
 std::string time_text(const TimeInterval& time);
 
+/// What an answer is about: the pairs, and where a mechanism locks. Reports have it after their first line.
+std::string grounds_text(const Scene& scene, const Coverage& coverage);
+
 /// 0.0031 as "3.1 ms".
 std::string seconds_text(double seconds);
 

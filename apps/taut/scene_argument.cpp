@@ -70,6 +70,7 @@ int exit_code(Outcome outcome, bool allow_untested) {
     case Outcome::closer_at_start:
       return exit_contact;
     case Outcome::undecided:
+    case Outcome::locked:
       return exit_undecided;
     case Outcome::untested:
       return allow_untested ? exit_free : exit_bad_input;

@@ -4,9 +4,9 @@
 #include <memory>
 
 #include "commands.hpp"
-#include "coverage_text.hpp"
 #include "feature_text.hpp"
 #include "interrupt.hpp"
+#include "report.hpp"
 #include "scene_argument.hpp"
 #include "taut/io.hpp"
 #include "taut/separate.hpp"
@@ -95,7 +95,7 @@ int code_of(SeparationOutcome outcome, bool allow_untested) {
 std::string in_words(const Scene& scene, const Separation& answer) {
   std::string text = fmt::format("{}  {}\n", word_of(answer.outcome), subject_text(scene, answer.overlap));
   if (answer.outcome == SeparationOutcome::untested) return text + "  " + answer.reason + "\n";
-  text += coverage_text(answer.coverage);
+  text += grounds_text(scene, answer.coverage);
   if (!answer.reason.empty()) return text + "  " + answer.reason + "\n";
   for (const BodyDirections& body : answer.bodies) text += directions_in_words(scene, body);
   if (!answer.wide.empty()) text += "  " + answer.wide + "\n";

@@ -48,6 +48,8 @@ std::string ending_of(const Scene& scene, const Answer& answer) {
       return "overlap at the start";
     case Outcome::undecided:
       return fmt::format("undecided from t = {:.6g}", answer.free_until);
+    case Outcome::locked:
+      return fmt::format("locks at t = {:.6g}", scene.lock->time[0]);
     case Outcome::untested:
       return scene.bodies.size() == 1 ? "" : "nothing was tested";
     case Outcome::closer_at_start:  // is no answer of check()

@@ -22,10 +22,11 @@ enum class Outcome {
   overlap_at_start,  ///< the bodies overlap already at the start
   undecided,         ///< a stated limit was hit; nothing is claimed beyond `Answer::free_until`
   untested,          ///< no pair of bodies was tested, so there is no verdict; `reason` says why
+  locked,            ///< no collision, up to where a mechanism locks: Scene::lock
   closer_at_start,   ///< of check_clearance(): no bodies overlap, and two are closer than the clearance at the start
 };
 
-/// "free", "contact", "overlap_at_start", "closer_at_start", "undecided" or "untested".
+/// "free", "contact", "overlap_at_start", "closer_at_start", "undecided", "untested" or "locked".
 const char* to_string(Outcome outcome);
 /// "open" or "closed".
 const char* to_string(Touch touch);

@@ -2,10 +2,15 @@
 #pragma once
 
 #include <limits>
+#include <memory>
 #include <variant>
 #include <vector>
 
 #include "taut/geometry.hpp"
+
+namespace taut::internal {
+class JointFunctions;
+}
 
 namespace taut {
 
@@ -33,8 +38,20 @@ struct HalfAngleRotation {
 struct CosineRotation {
   Coefficients a;
 };
+/// The body follows a joint of a mechanism (taut/mechanism.hpp): it turns about the piece's pivot, or slides. Made by
+/// assembled(), not by users; all else of the piece means nothing.
+struct JointFollower {
+  std::shared_ptr<const internal::JointFunctions> functions;
+  int joint = 0;  ///< its number there
+  int piece = 0;  ///< of the drives
+  bool slides = false;
+  Point direction = {};  ///< of a slide
+  int sign = 1;          ///< -1: the joint's first body follows, seen from the second one
+  int exponent = 0;      ///< coordinates are multiplied by 2^exponent
+};
 /// How a piece turns: one of the forms above.
-using Rotation = std::variant<NoRotation, AngleRotation, DirectionRotation, HalfAngleRotation, CosineRotation>;
+using Rotation =
+    std::variant<NoRotation, AngleRotation, DirectionRotation, HalfAngleRotation, CosineRotation, JointFollower>;
 
 /// A turn of the place at which a body is: what it would be without is turned about `centre`, by an angle in radians.
 struct Orbit {

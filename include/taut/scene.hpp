@@ -3,16 +3,19 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "taut/geometry.hpp"
+#include "taut/mechanism.hpp"
 #include "taut/motion.hpp"
 #include "taut/outline.hpp"
 
 namespace taut::internal {
 class PreparedShape;
-}
+struct AssembledMechanism;
+}  // namespace taut::internal
 
 namespace taut {
 
@@ -66,6 +69,13 @@ struct Scene {
   /// What the user calls it by: a JSON value, as text, which is handed through to the answer; may be empty.
   std::string id = {};
   AtRest at_rest = AtRest::skip;
+  /// How bodies are joined; assembled() gives them their motions. Those bodies have neither a motion nor a parent of
+  /// their own.
+  std::optional<Mechanism> mechanism = {};
+  /// Made by assembled(): where the mechanism locks, within the time or at its end. The scene then ends there.
+  std::optional<MechanismLock> lock = {};
+  /// Made by assembled(); null before.
+  std::shared_ptr<const internal::AssembledMechanism> assembly = nullptr;
 };
 
 /// What counts as a collision.

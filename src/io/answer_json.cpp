@@ -2,6 +2,7 @@
 #include "io/answer_json.hpp"
 
 #include "io/answer_writer.hpp"
+#include "scene/mechanism_lock.hpp"
 #include "taut/io.hpp"
 
 namespace taut::internal {
@@ -89,7 +90,12 @@ void write_range(AnswerWriter& json, const Range& answer) {
   };
   json.object([&] {
     end("from", answer.from);
-    end("to", answer.to);
+    const bool to_lock = !answer.to && ends_at_lock(json.scene());
+    end("to", to_lock ? TimeInterval{json.scene().lock->time[0], json.scene().lock->time[1]} : answer.to);
+    if (to_lock) {
+      json.key("to_lock");
+      json.boolean(true);
+    }
     if (answer.before) json.degrees("from_deg", answer.before->pair, *answer.from);
     if (answer.after) json.degrees("to_deg", answer.after->pair, *answer.to);
   });

@@ -24,6 +24,16 @@ void AnswerWriter::coverage(const Coverage& c) {
     member("layers", c.layers);
     member("not_reached", c.not_reached);
   });
+  if (scene_.lock) lock(*scene_.lock);
+}
+
+void AnswerWriter::lock(const MechanismLock& lock) {
+  key("lock").object([&] {
+    member("t", {lock.time[0], lock.time[1]});
+    member("kind", to_string(lock.kind));
+    key("joints").array(lock.joints, [&](const std::string& joint) { string(joint); });
+    key("links").array(lock.links, [&](const std::string& link) { string(link); });
+  });
 }
 
 void AnswerWriter::geometry(const CurveGeometry& g) {

@@ -47,7 +47,7 @@ Rotation read_rotation(const JsonDocument& document, std::size_t token, const st
     return DirectionRotation{read_coefficients(document, ab.get("a"), ab.path("a")),
                              read_coefficients(document, ab.get("b"), ab.path("b"))};
   }
-  static_assert(std::variant_size_v<Rotation> == 5, "every form of rotation is read here");
+  static_assert(std::variant_size_v<Rotation> == 6, "every form of rotation is read here");
   Coefficients c = read_coefficients(document, value, value_path);
   if (form == "angle") return AngleRotation{std::move(c)};
   if (form == "cosine") return CosineRotation{std::move(c)};

@@ -17,6 +17,8 @@ const char* to_string(Outcome outcome) {
       return "closer_at_start";
     case Outcome::untested:
       return "untested";
+    case Outcome::locked:
+      return "locked";
     case Outcome::undecided:
       break;
   }

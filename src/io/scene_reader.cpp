@@ -5,6 +5,7 @@
 #include "io/json_document.hpp"
 #include "io/json_numbers.hpp"
 #include "io/json_object.hpp"
+#include "io/mechanism_reader.hpp"
 #include "io/motion_reader.hpp"
 #include "io/named_file.hpp"
 #include "io/outline_reader.hpp"
@@ -46,7 +47,8 @@ class SceneReader {
     refuse_geojson();
     // "$schema" is for editors.
     const JsonObject root(document_, 0, "",
-                          {"format", "time", "bodies", "ignore", "at_rest", "id", "joints", "$schema"}, scene_shape);
+                          {"format", "time", "bodies", "ignore", "at_rest", "id", "joints", "mechanism", "$schema"},
+                          scene_shape);
     if (const auto joints = root.find("joints"))
       throw document_.error(*joints, "joints", "the scene has joints instead of a time",
                             "ask taut envelope about it, or give it a \"time\" and motions");
@@ -57,7 +59,9 @@ class SceneReader {
       const io::MotionContext context{scene.start, scene.end, folder_, limits_};
       body.motion = io::read_motion(document_, token, path, context);
     });
-    return scene;
+    if (const auto mechanism = root.find("mechanism"))
+      scene.mechanism = io::read_mechanism(document_, *mechanism, scene.start, scene.end);
+    return assembled(std::move(scene));
   }
 
   Linkage read_linkage() const {

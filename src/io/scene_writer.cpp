@@ -23,7 +23,8 @@ std::string rotation_text(const Rotation& rotation) {
                                            "{\"a\":" + array_text(r.a) + ",\"b\":" + array_text(r.b) + "}");
                                },
                                [&](const HalfAngleRotation& r) { return of("half_angle_tangent", array_text(r.s)); },
-                               [&](const CosineRotation& r) { return of("cosine", array_text(r.a)); }},
+                               [&](const CosineRotation& r) { return of("cosine", array_text(r.a)); },
+                               [](const JointFollower&) { return std::string(); }},
                     rotation);
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "motion/pieces.hpp"
 #include "motion/symbolic.hpp"
 
 namespace taut::internal {
@@ -68,7 +69,23 @@ FrameIdentities::Side FrameIdentities::conditions_of(const std::array<Symbolic, 
   return side;
 }
 
+namespace {
+
+/// Symbolic expressions are in powers of the time, or of one joint's value, if nothing else moves.
+bool has_symbols(const MotionSegment& segment) {
+  int joints = 0, others = 0;
+  for (const PieceChain* chain : {&segment.p_chain, &segment.q_chain}) {
+    for (const MotionPiece& piece : *chain) {
+      if (varies(piece)) ++(followed_joint(piece) ? joints : others);
+    }
+  }
+  return joints == 0 || (joints == 1 && others == 0);
+}
+
+}  // namespace
+
 FrameIdentities::FrameIdentities(const MotionSegment& segment) {
+  if (!has_symbols(segment)) return;
   SymbolicSegment symbols(segment.start, segment.end);
   const FrameOf<Symbolic> f = symbolic_frame(segment, symbols);
   pp_ = conditions_of(f.for_pp, symbols);

@@ -21,7 +21,7 @@ std::uint64_t work_of_turn(const MotionPiece& piece) {
   const int work =
       std::visit(Overloaded{[](const NoRotation&) { return 0; }, [](const AngleRotation&) { return 14; },
                             [](const DirectionRotation&) { return 39; }, [](const HalfAngleRotation&) { return 16; },
-                            [](const CosineRotation&) { return 26; }},
+                            [](const CosineRotation&) { return 26; }, [](const JointFollower&) { return 40; }},
                  piece.rotation);
   return static_cast<std::uint64_t>(work);
 }

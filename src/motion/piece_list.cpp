@@ -23,12 +23,16 @@ void PieceList::Packed::add(const MotionPiece& piece) {
   };
   place.x = put(piece.x);
   place.y = put(piece.y);
-  place.form = static_cast<CertificateFunction>(piece.rotation.index());
+  place.form = static_cast<Form>(piece.rotation.index());
   std::uint8_t* count = &place.a;
   for_each_polynomial(piece.rotation, [&](const Coefficients& c) {
     *count = put(c);
     count = &place.b;
   });
+  if (const JointFollower* const follower = followed_joint(piece)) {
+    put({static_cast<double>(joints.size())});
+    joints.push_back(*follower);
+  }
   if (piece.pivot != Point{}) {
     place.pivot = true;
     put({piece.pivot.x, piece.pivot.y});
@@ -92,21 +96,24 @@ MotionPiece PieceList::operator[](std::size_t k) const {
   piece.x = take(place.x);
   piece.y = take(place.y);
   switch (place.form) {
-    case CertificateFunction::none:
+    case Form::none:
       break;
-    case CertificateFunction::angle:
+    case Form::angle:
       piece.rotation = AngleRotation{take(place.a)};
       break;
-    case CertificateFunction::direction: {
+    case Form::direction: {
       Coefficients a = take(place.a), b = take(place.b);
       piece.rotation = DirectionRotation{std::move(a), std::move(b)};
       break;
     }
-    case CertificateFunction::half_angle:
+    case Form::half_angle:
       piece.rotation = HalfAngleRotation{take(place.a)};
       break;
-    case CertificateFunction::cosine:
+    case Form::cosine:
       piece.rotation = CosineRotation{take(place.a)};
+      break;
+    case Form::joint:
+      piece.rotation = packed_->joints[static_cast<std::size_t>(take(1)[0])];
       break;
   }
   if (place.pivot) piece.pivot = take_point();

@@ -41,20 +41,21 @@ class PieceList {
   bool rests() const;
 
  private:
-  enum class CertificateFunction : std::uint8_t { none, angle, direction, half_angle, cosine };
+  enum class Form : std::uint8_t { none, angle, direction, half_angle, cosine, joint };
   struct Place {
     double until = std::numeric_limits<double>::infinity();
     std::uint64_t first = 0;    ///< of its numbers
     std::uint8_t x = 0, y = 0;  ///< how many coefficients there are
     std::uint8_t a = 0, b = 0;  ///< of the rotation's polynomials
     std::uint8_t orbit = 0;
-    CertificateFunction form = CertificateFunction::none;
+    Form form = Form::none;
     bool pivot = false;   ///< not (0, 0)
     bool origin = false;  ///< not 0
   };
   struct Packed {
     std::vector<Place> places;
     std::vector<double> numbers;
+    std::vector<JointFollower> joints;  ///< of pieces that follow one, in order
 
     void add(const MotionPiece& piece);
     void trim();

@@ -85,6 +85,7 @@ MotionPiece scaled(MotionPiece piece, int exponent) {
   for (double& c : piece.x) c = std::ldexp(c, exponent);
   for (double& c : piece.y) c = std::ldexp(c, exponent);
   for (Point* p : {&piece.pivot, &piece.orbit.centre}) *p = {std::ldexp(p->x, exponent), std::ldexp(p->y, exponent)};
+  if (auto* follower = std::get_if<JointFollower>(&piece.rotation)) follower->exponent += exponent;
   return piece;
 }
 

@@ -6,8 +6,10 @@
 #include <optional>
 #include <vector>
 
+#include "motion/joint_value.hpp"
 #include "motion/local_time.hpp"
 #include "motion/rotation_forms.hpp"
+#include "motion/symbolic.hpp"
 #include "numeric/jet.hpp"
 #include "taut/motion.hpp"
 
@@ -120,6 +122,45 @@ J change_of_cosine(const Coefficients& a, const Time& t) {
   return J::polynomial(VaryingPart{a}, t);
 }
 
+/// The value of the joint that a body follows, in degrees or lengths.
+template <class J, class Time>
+J value_of_joint(const JointFollower& follower, const Time& t) {
+  return joint_value<J>(*follower.functions, static_cast<std::size_t>(follower.joint),
+                        static_cast<std::size_t>(follower.piece), absolute(t)) *
+         Ball<typename J::Number>::exact(follower.sign);
+}
+/// As expressions in the joint's value: identities in it hold at all times.
+template <class J>
+J value_of_joint(const JointFollower&, const SymbolicTime& t) {
+  return J::polynomial(Coefficients{0, 1}, SymbolicTime{t.segment});
+}
+
+/// x(t) of a body that turns with a joint.
+template <class J, class Time>
+void turn_with_joint(const JointFollower& follower, const Time& t, J& xx, J& xy) {
+  const J value = value_of_joint<J>(follower, t);
+  if constexpr (std::is_same_v<J, Symbolic>) {
+    sin_cos(value, xy, xx);
+  } else {
+    sin_cos_degrees(value, xy, xx);
+  }
+}
+
+/// Adds the way of a body that slides with a joint to its origin.
+template <class J, class Time>
+void slide_with_joint(const MotionPiece& piece, const Time& t, J& x, J& y) {
+  const JointFollower* const follower = followed_joint(piece);
+  if (!follower || !follower->slides) return;
+  J way = value_of_joint<J>(*follower, t);
+  if constexpr (!std::is_same_v<J, Symbolic>) {
+    using B = Ball<typename J::Number>;
+    const B length = length_of_direction<typename J::Number>(follower->direction);
+    way = way * (B::exact(std::ldexp(1.0, follower->exponent)) / length);
+  }
+  x = x + way * J::constant(follower->direction.x);
+  y = y + way * J::constant(follower->direction.y);
+}
+
 /// x(t) of a rotation; J is Jet<Real>, Series<Real, N> or Symbolic, and the time LocalTime, TimeFromEnd or
 /// SymbolicTime, since the rotation's origin.
 template <class J, class Time>
@@ -148,6 +189,11 @@ void rotation_jet(const Rotation& rotation, const Time& t, J& xx, J& xy) {
                           const J one = J::constant(1.0), start = J::constant(r.a.empty() ? 0.0 : r.a[0]);
                           xx = start + change;
                           xy = sqrt(((one - start) - change) * ((one + start) + change));
+                        },
+                        [&](const JointFollower& r) {
+                          xx = J::constant(1.0);
+                          xy = J::constant(0.0);
+                          if (!r.slides) turn_with_joint(r, t, xx, xy);
                         }},
              rotation);
 }
@@ -158,7 +204,10 @@ void rotation_jet(const MotionPiece& piece, const Time& t, J& xx, J& xy) {
   rotation_jet(piece.rotation, since_origin(t, piece.origin), xx, xy);
 }
 
-inline bool turns(const MotionPiece& piece) { return !std::holds_alternative<NoRotation>(piece.rotation); }
+inline bool turns(const MotionPiece& piece) {
+  const JointFollower* const follower = followed_joint(piece);
+  return follower ? !follower->slides : !std::holds_alternative<NoRotation>(piece.rotation);
+}
 inline bool orbits(const MotionPiece& piece) { return !piece.orbit.angle.empty(); }
 
 /// What the body turns about, or what of it orbits; (0, 0) if it does neither.
@@ -181,6 +230,7 @@ template <class J, class Time>
 PoseOf<J> pose_about_axis(const MotionPiece& piece, const Time& time, const J& xx, const J& xy) {
   const Time t = since_origin(time, piece.origin);
   PoseOf<J> p{J::polynomial(piece.x, t), J::polynomial(piece.y, t), xx, xy};
+  slide_with_joint(piece, t, p.ox, p.oy);
   if (orbits(piece)) add_orbit(piece, t, p.ox, p.oy);
   const Point c = turns(piece) ? piece.pivot : Point{};
   if (c == Point{}) return p;
@@ -254,6 +304,7 @@ Pose<Real> pose_about(const PieceChain& chain, const Point& m, const LocalTime<R
   p.ox = J::polynomial(last.x, since);
   p.oy = J::polynomial(last.y, since);
   rotation_jet(last, t, p.xx, p.xy);
+  slide_with_joint(last, since, p.ox, p.oy);
   if (orbits(last)) add_orbit(last, since, p.ox, p.oy);
   const Point c = turns(last) ? last.pivot : m;
   const J x = J::constant(m.x) - J::constant(c.x), y = J::constant(m.y) - J::constant(c.y);

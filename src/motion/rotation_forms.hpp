@@ -18,12 +18,18 @@ void for_each_polynomial(const Rotation& rotation, const Visit& visit) {
                           visit(r.a);
                           visit(r.b);
                         },
-                        [&](const HalfAngleRotation& r) { visit(r.s); }, [&](const CosineRotation& r) { visit(r.a); }},
+                        [&](const HalfAngleRotation& r) { visit(r.s); }, [&](const CosineRotation& r) { visit(r.a); },
+                        [](const JointFollower&) {}},
              rotation);
 }
 template <class Visit>
 void for_each_polynomial(Rotation& rotation, const Visit& visit) {
   for_each_polynomial(std::as_const(rotation), [&](const Coefficients& c) { visit(const_cast<Coefficients&>(c)); });
+}
+
+/// The joint that the piece's body follows; null if it follows none.
+inline const JointFollower* followed_joint(const MotionPiece& piece) {
+  return std::get_if<JointFollower>(&piece.rotation);
 }
 
 /// Does it change with time, as far as its polynomials show?

@@ -47,6 +47,9 @@ int last_nonzero_power(const Coefficients& q, const Coefficients& p) {
 
 /// The piece, for this instant alone. A cosine that is 1 or -1 there gives the sine exactly; as a root of a number near
 /// zero, the sine would be known to only half the digits.
+/// Does the piece consist of more than polynomials and a rotation?
+bool is_composed(const MotionPiece& piece) { return orbits(piece) || followed_joint(piece); }
+
 MotionPiece at_joint(MotionPiece piece, double joint) {
   const auto* cosine = std::get_if<CosineRotation>(&piece.rotation);
   if (!cosine) return piece;
@@ -62,7 +65,7 @@ PieceChain at_joint(PieceChain chain, double joint) {
 }  // namespace
 
 MotionSegment MotionSegment::motion_of_chains(const PieceChain& p, const PieceChain& q, double start, double end) {
-  const auto plain = [](const PieceChain& chain) { return chain.size() == 1 && !orbits(chain.back()); };
+  const auto plain = [](const PieceChain& chain) { return chain.size() == 1 && !is_composed(chain.back()); };
   if (plain(p) && plain(q)) return motion(p.back(), q.back(), start, end);
   MotionSegment segment;
   segment.p = p.back();
@@ -80,7 +83,7 @@ MotionSegment MotionSegment::motion_of_chains(const PieceChain& p, const PieceCh
 }
 
 MotionSegment MotionSegment::motion(const MotionPiece& p, const MotionPiece& q, double start, double end) {
-  if (orbits(p) || orbits(q)) return motion_of_chains(PieceChain{p}, PieceChain{q}, start, end);
+  if (is_composed(p) || is_composed(q)) return motion_of_chains(PieceChain{p}, PieceChain{q}, start, end);
   MotionSegment segment;
   segment.p = p;
   segment.q = q;
@@ -166,7 +169,7 @@ void MotionSegment::find_singular_ends(bool of_p, std::size_t link, const Motion
 
 MotionSegment MotionSegment::bridging(const MotionPiece& p, const MotionPiece& q, const MotionPiece& p_next,
                                       const MotionPiece& q_next, double joint, bool far) {
-  if (orbits(p) || orbits(q) || orbits(p_next) || orbits(q_next))
+  if (is_composed(p) || is_composed(q) || is_composed(p_next) || is_composed(q_next))
     return bridging_chains(PieceChain{p}, PieceChain{q}, PieceChain{p_next}, PieceChain{q_next}, joint, far);
   MotionSegment segment;
   segment.p = at_joint(p, joint);

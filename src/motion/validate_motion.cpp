@@ -35,7 +35,8 @@ class PieceCheck {
     std::visit(
         Overloaded{[](const NoRotation&) {}, [&](const AngleRotation& r) { coefficients("rotation.angle", r.angle); },
                    [&](const HalfAngleRotation& r) { coefficients("rotation.half_angle_tangent", r.s); },
-                   [&](const DirectionRotation& r) { direction(r); }, [&](const CosineRotation& r) { cosine(r); }},
+                   [&](const DirectionRotation& r) { direction(r); }, [&](const CosineRotation& r) { cosine(r); },
+                   [](const JointFollower&) {}},
         piece_.rotation);
   }
 

@@ -154,6 +154,9 @@ void add_bodies(Hasher& hash, const Scene& scene) {
 }  // namespace
 
 Fingerprint scene_fingerprint(const Scene& scene, Touch touch) {
+  if (scene.mechanism)
+    throw InputError("mechanism", "proof logs of mechanisms cannot be written yet",
+                     "`taut check --engine both` compares two engines");
   const bool curved = proof::any_curves(scene);
   Hasher hash(curved ? "taut curve 1" : "taut scene 3");
   hash.byte(touch == Touch::closed ? 1 : 0);

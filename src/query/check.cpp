@@ -2,6 +2,7 @@
 
 #include "query/curved_questions.hpp"
 #include "scene/fitted_scene.hpp"
+#include "scene/mechanism_lock.hpp"
 #include "scene/validate_scene.hpp"
 #include "solver/run.hpp"
 #include "taut/error.hpp"
@@ -28,9 +29,11 @@ Answer check_fitted(const Scene& scene, CheckOptions options) {
 Answer check(const Scene& scene, const CheckOptions& options) {
   if (!(options.time_tolerance >= 1e-15 && options.time_tolerance <= 1))
     throw InputError("time tolerance", "it is not between 1e-15 and 1", "1e-9 of the scene's time is usual");
-  if (has_curves(scene)) return check_curved(scene, options);
-  if (options.fit != 0) return check_fitted(scene, options);
-  return run_engines(scene, options);
+  Answer answer = has_curves(scene)  ? check_curved(scene, options)
+                  : options.fit != 0 ? check_fitted(scene, options)
+                                     : run_engines(scene, options);
+  note_lock(scene, answer.outcome, answer.reason);
+  return answer;
 }
 
 }  // namespace taut

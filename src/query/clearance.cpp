@@ -12,6 +12,7 @@
 #include "numeric/undecided.hpp"
 #include "query/curved_questions.hpp"
 #include "query/nearest_points.hpp"
+#include "scene/mechanism_lock.hpp"
 #include "scene/pairs_in_reach.hpp"
 #include "scene/untested.hpp"
 #include "scene/validate_scene.hpp"
@@ -189,11 +190,9 @@ class ClearanceSearch {
 
 }  // namespace
 
-Clearance clearance(const Scene& scene, const ClearanceOptions& options) {
-  if (!(options.relative >= 1e-12 && options.relative < 1))
-    throw InputError("tolerance", "it is not at least 1e-12 and below 1",
-                     "1e-9 is usual; doubles do not resolve more than 1e-12");
-  if (has_curves(scene)) return clearance_of_curves(scene, options);
+namespace {
+
+Clearance clearance_of_polygons(const Scene& scene, const ClearanceOptions& options) {
   const Budget scope(options.limits);
   std::optional<ClearanceSearch> search;
   std::string stopped;
@@ -211,6 +210,17 @@ Clearance clearance(const Scene& scene, const ClearanceOptions& options) {
   undecided.coverage = search ? search->when_stopped() : coverage_before_search(scene);
   undecided.reason = stopped;
   return undecided;
+}
+
+}  // namespace
+
+Clearance clearance(const Scene& scene, const ClearanceOptions& options) {
+  if (!(options.relative >= 1e-12 && options.relative < 1))
+    throw InputError("tolerance", "it is not at least 1e-12 and below 1",
+                     "1e-9 is usual; doubles do not resolve more than 1e-12");
+  Clearance answer = has_curves(scene) ? clearance_of_curves(scene, options) : clearance_of_polygons(scene, options);
+  note_undecided_lock(scene, answer.outcome, answer.reason);
+  return answer;
 }
 
 }  // namespace taut

@@ -11,6 +11,7 @@
 #include "numeric/progress.hpp"
 #include "numeric/undecided.hpp"
 #include "query/curved_questions.hpp"
+#include "scene/mechanism_lock.hpp"
 #include "scene/near_stretches.hpp"
 #include "scene/untested.hpp"
 #include "scene/validate_scene.hpp"
@@ -115,8 +116,10 @@ namespace taut {
 using namespace internal;
 
 Intervals intervals(const Scene& scene, const CheckOptions& options) {
-  if (has_curves(scene)) return intervals_of_curves(scene, options);
-  return intervals_of_polygons(scene, options, scene.bodies.size() == 2);
+  Intervals answer = has_curves(scene) ? intervals_of_curves(scene, options)
+                                       : intervals_of_polygons(scene, options, scene.bodies.size() == 2);
+  note_undecided_lock(scene, answer.outcome, answer.reason);
+  return answer;
 }
 
 namespace {

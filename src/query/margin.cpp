@@ -11,6 +11,7 @@
 #include "numeric/undecided.hpp"
 #include "query/curved_questions.hpp"
 #include "query/nearest_points.hpp"
+#include "scene/mechanism_lock.hpp"
 #include "scene/pairs_in_reach.hpp"
 #include "scene/untested.hpp"
 #include "scene/validate_scene.hpp"
@@ -230,10 +231,9 @@ class MarginSearch {
 
 }  // namespace
 
-MarginAnswer check_clearance(const Scene& scene, double clearance, const CheckOptions& options) {
-  if (!(clearance > 0 && std::isfinite(clearance)))
-    throw InputError("clearance", "it is not a positive number", "check() asks whether bodies touch");
-  if (has_curves(scene)) return check_clearance_of_curves(scene, clearance, options);
+namespace {
+
+MarginAnswer check_clearance_of_polygons(const Scene& scene, double clearance, const CheckOptions& options) {
   const Budget scope(options.limits);
   std::optional<MarginSearch> search;
   MarginAnswer answer;
@@ -246,6 +246,17 @@ MarginAnswer check_clearance(const Scene& scene, double clearance, const CheckOp
   answer.coverage = search ? search->when_stopped() : coverage_before_search(scene);
   answer.outcome = Outcome::undecided;
   answer.free_until = scene.start;
+  return answer;
+}
+
+}  // namespace
+
+MarginAnswer check_clearance(const Scene& scene, double clearance, const CheckOptions& options) {
+  if (!(clearance > 0 && std::isfinite(clearance)))
+    throw InputError("clearance", "it is not a positive number", "check() asks whether bodies touch");
+  MarginAnswer answer = has_curves(scene) ? check_clearance_of_curves(scene, clearance, options)
+                                          : check_clearance_of_polygons(scene, clearance, options);
+  note_lock(scene, answer.outcome, answer.reason);
   return answer;
 }
 

@@ -156,6 +156,8 @@ void require_ring_pair(const Scene& scene, const std::string& use) {
 
 void validate_polygons(const Scene& scene) {
   for (const Body& body : scene.bodies) refuse_curves(body);
+  if (scene.mechanism && !scene.assembly)
+    throw InputError("mechanism", "its bodies have no motions yet", "ask about assembled(scene)");
   validate_time(scene);
   if (scene.bodies.empty()) throw InputError("bodies", "the scene has no bodies", "write at least one");
   const Names names = names_of(scene);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <stdexcept>
 #include <variant>
 
 namespace taut::testing {
@@ -45,6 +46,9 @@ struct RotationBounds {
 };
 
 RotationBounds bound(const NoRotation&, Real, Real) { return {0, 0, 0, 0}; }
+
+/// Mechanisms have oracles of their own.
+RotationBounds bound(const JointFollower&, Real, Real) { throw std::logic_error("no bounds of a mechanism"); }
 
 RotationBounds bound(const AngleRotation& r, Real middle, Real half) {
   const Jet a = jet(r.angle, middle, half);
@@ -103,6 +107,8 @@ Vec axis(const CosineRotation& r, Real t) {
   const Real a = evaluate(r.a, t);
   return {a, std::sqrt(std::max<Real>(0, 1 - a * a))};
 }
+
+Vec axis(const JointFollower&, Real) { throw std::logic_error("no axis of a mechanism"); }
 
 Real magnitude_of(const Coefficients& c, Real t) {
   Real v = 0;

@@ -1,0 +1,270 @@
+#include "motion/joint_functions.hpp"
+
+#include <atomic>
+#include <limits>
+
+#include "motion/joint_value.hpp"
+#include "motion/motion_segment.hpp"
+
+namespace taut::internal {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+template <class Real>
+Ball<Real> anything() {
+  return Ball<Real>(Real(0), infinity);
+}
+
+template <class J>
+J unknown_series() {
+  J s = J::constant(0.0);
+  s.c.fill(anything<typename J::Number>());
+  s.terms = static_cast<int>(s.c.size());
+  return s;
+}
+
+/// Coefficients about a ball from those about its middle: c_k over it is the sum of binomial(j, k) c_j h^(j - k), with
+/// the last power's coefficient over the whole ball.
+template <class Real, std::size_t Size, int N>
+Series<Real, N> widened(const std::array<Ball<Real>, Size>& c, const Ball<Real>& rest, double radius) {
+  auto out = Series<Real, N>::of_terms(N + 1);
+  const Ball<Real> h(Real(0), radius);
+  for (int k = 0; k <= N; ++k) {
+    Ball<Real> sum = Ball<Real>::exact(0), power = Ball<Real>::exact(1);
+    double binomial = 1;
+    for (int j = k; j <= static_cast<int>(Size); ++j) {
+      const Ball<Real>& from = j < static_cast<int>(Size) ? c[static_cast<std::size_t>(j)] : rest;
+      sum = sum + from * power * binomial;
+      power = power * h;
+      binomial = binomial * (j + 1) / (j + 1 - k);
+    }
+    out.c[static_cast<std::size_t>(k)] = sum;
+  }
+  return out;
+}
+
+template <int N>
+Series<double, N> hull(const Series<double, N>& a, const Series<double, N>& b) {
+  auto out = Series<double, N>::of_terms(N + 1);
+  for (std::size_t k = 0; k < out.c.size(); ++k)
+    out.c[k] =
+        Ball<double>::between(std::min(a.c[k].lower(), b.c[k].lower()), std::max(a.c[k].upper(), b.c[k].upper()));
+  return out;
+}
+
+}  // namespace
+
+template <int N>
+Series<double, N> LoopCell::about(std::size_t unknown, const Ball<double>& t) const {
+  if (box) {
+    auto out = unknown_series<Series<double, N>>();
+    out.c[0] = c[unknown][0];
+    return out;
+  }
+  // About the ball's middle first.
+  Coefficients at = c[unknown];
+  const Ball<double> h = Ball<double>::exact(t.mid) - Ball<double>::exact(middle);
+  Ball<double> power = Ball<double>::exact(1);
+  std::array<Ball<double>, order + 2> powers;
+  for (Ball<double>& p : powers) {
+    p = power;
+    power = power * h;
+  }
+  if (h.mid != 0) {
+    for (int k = 0; k <= order; ++k) {
+      for (int i = order; i-- > k;)
+        at[static_cast<std::size_t>(i)] = at[static_cast<std::size_t>(i)] + at[static_cast<std::size_t>(i) + 1] * h;
+    }
+    double binomial = 1;  // of order + 1 over k
+    for (int k = 0; k <= order; ++k) {
+      at[static_cast<std::size_t>(k)] =
+          at[static_cast<std::size_t>(k)] + rest[unknown] * powers[static_cast<std::size_t>(order + 1 - k)] * binomial;
+      binomial = binomial * (order + 1 - k) / (k + 1);
+    }
+  }
+  if (t.rad != 0) return widened<double, order + 1, N>(at, rest[unknown], t.rad);
+  auto out = Series<double, N>::of_terms(N + 1);
+  for (int k = 0; k <= N; ++k) out.c[static_cast<std::size_t>(k)] = at[static_cast<std::size_t>(k)];
+  return out;
+}
+template Series<double, 0> LoopCell::about(std::size_t, const Ball<double>&) const;
+
+double LoopCell::approximate(std::size_t unknown, double t) const {
+  double sum = 0;
+  for (int k = order; k >= 0; --k) sum = sum * (t - middle) + c[unknown][static_cast<std::size_t>(k)].mid;
+  return sum;
+}
+
+std::vector<double> weights_of(const LoopEquations& equations) {
+  std::vector<double> weights(static_cast<std::size_t>(equations.unknowns), 1);
+  double extent = 0;
+  for (const auto& joint : equations.joints) extent = std::max({extent, std::fabs(joint.at.x), std::fabs(joint.at.y)});
+  for (const auto& closure : equations.closures)
+    extent = std::max({extent, std::fabs(closure.at.x), std::fabs(closure.at.y)});
+  for (const auto& joint : equations.joints) {
+    // An unknown that is itself the value of a slide is a length.
+    if (!joint.slide || extent == 0) continue;
+    for (const auto& term : joint.value.unknowns) weights[static_cast<std::size_t>(term.of)] = extent / 64;
+  }
+  return weights;
+}
+
+JointFunctions::JointFunctions(LoopEquations equations, std::vector<std::vector<LoopCell>> cells)
+    : equations_(std::move(equations)), cells_(std::move(cells)) {
+  static std::atomic<std::uint64_t> next{1};
+  id_ = next++;
+}
+
+const LoopCell& JointFunctions::cell_at(std::size_t piece, double t) const {
+  const std::vector<LoopCell>& cells = cells_[piece];
+  const auto found =
+      std::upper_bound(cells.begin(), cells.end(), t, [](double time, const LoopCell& cell) { return time < cell.to; });
+  return found == cells.end() ? cells.back() : *found;
+}
+
+template <int N>
+std::vector<Series<double, N>> JointFunctions::enclosed(std::size_t piece, const Ball<double>& t) const {
+  const std::vector<LoopCell>& cells = cells_[piece];
+  const std::size_t n = static_cast<std::size_t>(equations_.unknowns);
+  const double lo = t.lower(), hi = t.upper();
+  std::vector<Series<double, N>> out;
+  for (const LoopCell* cell = &cell_at(piece, lo); cell != cells.data() + cells.size(); ++cell) {
+    if (!out.empty() && cell->from >= hi) break;
+    const bool within = cell->from <= lo && hi <= cell->to;
+    const Ball<double> part =
+        within ? t : Ball<double>::between(std::clamp(lo, cell->from, cell->to), std::clamp(hi, cell->from, cell->to));
+    for (std::size_t i = 0; i < n; ++i) {
+      const Series<double, N> here = cell->template about<N>(i, part);
+      if (out.size() < n) {
+        out.push_back(here);
+      } else {
+        out[i] = hull(out[i], here);
+      }
+    }
+    if (within) break;
+  }
+  return out;
+}
+
+template <class Real, int N>
+std::optional<std::vector<Series<Real, N>>> JointFunctions::solved(std::size_t piece, const Real& t) const {
+  const double near = RealTraits<Real>::to_double(t);
+  const LoopCell& cell = cell_at(piece, near);
+  if (cell.box) return std::nullopt;
+  const LoopCurve curve{equations_, piece, equations_.unknowns};
+  std::vector<double> about;
+  for (std::size_t i = 0; i < curve.size(); ++i) about.push_back(cell.approximate(i, near));
+  const auto inverse = newton(curve, about, near);
+  if (!inverse) return std::nullopt;
+  const std::vector<double> weights = weights_of(equations_);
+  const auto values = solve_at<Real>(curve, about, t, *inverse, weights);
+  if (!values) return std::nullopt;
+  // The solution that was found is the one in the tube. The cell may end up to a rounding before t.
+  const Balls<double> rounded = in_doubles(*values);
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    const double off = (rounded[i] - Ball<double>::exact(cell.approximate(i, near))).magnitude();
+    if (!(off < cell.tube[i] / 2)) return std::nullopt;
+  }
+  return series_of<Real, N>(curve, *values, Ball<Real>(t, 0.0), *inverse, weights);
+}
+
+template <class Real, int N>
+std::vector<Series<Real, N>> JointFunctions::unknowns(std::size_t piece, const Ball<Real>& t) const {
+  if constexpr (std::is_same_v<Real, double>) {
+    return enclosed<N>(piece, t);
+  } else {
+    const std::vector<Series<double, N + 1>> over = enclosed<N + 1>(piece, detail::in_doubles(t));
+    auto at_middle = solved<Real, N>(piece, t.mid);
+    std::vector<Series<Real, N>> out;
+    for (std::size_t i = 0; i < over.size(); ++i) {
+      const auto as_real = [](const Ball<double>& x) { return Ball<Real>(Real(x.mid), x.rad); };
+      if (!at_middle) {
+        auto s = Series<Real, N>::of_terms(N + 1);
+        for (std::size_t k = 0; k < s.c.size(); ++k) s.c[k] = as_real(over[i].c[k]);
+        out.push_back(s);
+      } else if (t.rad == 0) {
+        out.push_back((*at_middle)[i]);
+      } else {
+        const auto rest = as_real(over[i].c[static_cast<std::size_t>(N) + 1]);
+        out.push_back(widened<Real, static_cast<std::size_t>(N) + 1, N>((*at_middle)[i].c, rest, t.rad));
+      }
+    }
+    return out;
+  }
+}
+
+template <class Real, int N>
+const std::vector<Series<Real, N>>& JointFunctions::all_values(std::size_t piece, const Ball<Real>& t) const {
+  using J = Series<Real, N>;
+  struct Known {
+    std::uint64_t id = 0;
+    std::size_t piece = 0;
+    Ball<Real> t;
+    std::vector<J> values;
+  };
+  // Each of a pair's chains asks for several joints at one time, and for two times in turn.
+  thread_local std::array<Known, 2> known;
+  thread_local std::size_t last = 0;
+  for (Known& k : known) {
+    if (k.id == id_ && k.piece == piece && k.t.mid == t.mid && k.t.rad == t.rad) return k.values;
+  }
+  last = 1 - last;
+  Known& entry = known[last];
+  entry.id = 0;
+  const std::vector<J> of_unknowns = equations_.unknowns > 0 ? unknowns<Real, N>(piece, t) : std::vector<J>{};
+  const std::vector<J> drives = LoopCurve{equations_, piece, equations_.unknowns}.drives_at(J::variable(t));
+  entry.values.clear();
+  for (const LoopEquations::TreeJoint& joint : equations_.joints)
+    entry.values.push_back(value_of(joint.value, of_unknowns, drives));
+  entry.piece = piece;
+  entry.t = t;
+  entry.id = id_;
+  return entry.values;
+}
+
+template <class J>
+J JointFunctions::value(std::size_t joint, std::size_t piece, const Ball<typename J::Number>& given) const {
+  using Real = typename J::Number;
+  Ball<Real> t = given;
+  if (!(t.magnitude() < 0x1p400)) {
+    if constexpr (requires(J j) { j.v; }) {
+      return J{anything<Real>(), anything<Real>(), anything<Real>()};
+    } else {
+      return unknown_series<J>();
+    }
+  }
+  const std::vector<LoopCell>& cells = cells_[piece];
+  if (!cells.empty()) {
+    const Real from(cells.front().from), to(cells.back().to), lo = t.lower(), hi = t.upper();
+    if (t.rad == 0) {
+      if (t.mid < from) t.mid = from;
+      if (t.mid > to) t.mid = to;
+    } else if (lo < from || hi > to) {
+      t = Ball<Real>::between(std::clamp(lo, from, to), std::clamp(hi, from, to));
+    }
+  }
+  if constexpr (requires(J j) { j.v; }) {
+    const Series<Real, 2>& s = all_values<Real, 2>(piece, t)[joint];
+    const auto c = [&](int k) { return k < s.terms ? s.c[static_cast<std::size_t>(k)] : Ball<Real>::exact(0); };
+    return J{c(0), c(1), c(2) * 2.0};
+  } else {
+    constexpr int n = static_cast<int>(std::tuple_size_v<decltype(J::c)>) - 1;
+    return all_values<Real, n>(piece, t)[joint];
+  }
+}
+
+template <class J, class Real>
+J joint_value(const JointFunctions& functions, std::size_t joint, std::size_t piece, const Ball<Real>& t) {
+  return functions.value<J>(joint, piece, t);
+}
+#define TAUT_INSTANTIATE(Real)                                                                              \
+  template Jet<Real> joint_value(const JointFunctions&, std::size_t, std::size_t, const Ball<Real>&);       \
+  template Series<Real, 0> joint_value(const JointFunctions&, std::size_t, std::size_t, const Ball<Real>&); \
+  template Series<Real, model_degree> joint_value(const JointFunctions&, std::size_t, std::size_t, const Ball<Real>&);
+TAUT_INSTANTIATE(double)
+TAUT_FOR_EACH_PRECISION(TAUT_INSTANTIATE)
+#undef TAUT_INSTANTIATE
+template Series<double, 3> joint_value(const JointFunctions&, std::size_t, std::size_t, const Ball<double>&);
+
+}  // namespace taut::internal

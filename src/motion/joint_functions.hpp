@@ -1,0 +1,76 @@
+// The values of a mechanism's joints as functions of time, known to any precision.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "motion/loop_solver.hpp"
+
+namespace taut::internal {
+
+/// A part of the time on which the unknowns are enclosed by Taylor polynomials about its middle, and on which no other
+/// solution of the equations is within `tube` of these.
+struct LoopCell {
+  static constexpr int order = 13;
+  using Coefficients = std::array<Ball<double>, order + 1>;
+
+  double from, to, middle;
+  bool box = false;                ///< only the values are enclosed: right before a dead point
+  std::vector<Coefficients> c;     ///< of each unknown: those at the middle
+  std::vector<Ball<double>> rest;  ///< that of the next power, over the whole cell
+  std::vector<double> tube;
+  /// Over the ball t, which the cell contains: the coefficients about it.
+  template <int N>
+  Series<double, N> about(std::size_t unknown, const Ball<double>& t) const;
+  /// The polynomial's value, without bounds.
+  double approximate(std::size_t unknown, double t) const;
+};
+
+/// How far the unknowns could be followed.
+struct LoopPath {
+  std::vector<LoopCell> cells;
+  double until = 0;  ///< the end, or where the equations become singular
+  bool singular = false;
+  Balls<double> last;  ///< the unknowns there
+};
+
+/// The sizes of changes of the unknowns that matter equally.
+std::vector<double> weights_of(const LoopEquations& equations);
+
+/// Follows the one solution that is within `first` at `from`, with the drives of a piece.
+LoopPath follow(const LoopEquations& equations, std::size_t piece, double from, double to, const Balls<double>& first);
+
+class JointFunctions {
+ public:
+  /// The cells of each piece of the drives, in order of time.
+  JointFunctions(LoopEquations equations, std::vector<std::vector<LoopCell>> cells);
+
+  const LoopEquations& equations() const { return equations_; }
+  std::size_t pieces() const { return cells_.size(); }
+  const std::vector<LoopCell>& cells(std::size_t piece) const { return cells_[piece]; }
+
+  /// The value of a joint of the tree over the ball t, with coefficients of its Taylor series. Of times outside of the
+  /// piece, only those within it count.
+  template <class J>
+  J value(std::size_t joint, std::size_t piece, const Ball<typename J::Number>& t) const;
+
+ private:
+  template <class Real, int N>
+  const std::vector<Series<Real, N>>& all_values(std::size_t piece, const Ball<Real>& t) const;
+  template <class Real, int N>
+  std::vector<Series<Real, N>> unknowns(std::size_t piece, const Ball<Real>& t) const;
+  template <class Real, int N>
+  std::optional<std::vector<Series<Real, N>>> solved(std::size_t piece, const Real& t) const;
+  template <int N>
+  std::vector<Series<double, N>> enclosed(std::size_t piece, const Ball<double>& t) const;
+  const LoopCell& cell_at(std::size_t piece, double t) const;
+
+  LoopEquations equations_;
+  std::vector<std::vector<LoopCell>> cells_;
+  std::uint64_t id_;
+};
+
+}  // namespace taut::internal

@@ -1,0 +1,215 @@
+// The equations that close the loops of a mechanism, for any kind of numbers.
+//
+// A tree of joints leads from the ground to every link. The pose of a link is the product of the motions of the joints
+// on its path; joint values are degrees or lengths, and 0 in the drawn pose. Each joint that is not in the tree closes
+// a loop, and gives the equations F(u, t) = 0 for the unknown values u.
+#pragma once
+
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "motion/degrees.hpp"
+#include "motion/pose.hpp"
+#include "numeric/dyadic.hpp"
+#include "numeric/series.hpp"
+#include "taut/mechanism.hpp"
+
+namespace taut::internal {
+
+/// A sum of multiples of unknowns and of drives, with exact factors.
+class LinearForm {
+ public:
+  struct Term {
+    int of;  ///< the number of the unknown or of the drive
+    Dyadic factor;
+    Ball<double> near;
+    template <class Real>
+    Ball<Real> as() const {
+      if constexpr (std::is_same_v<Real, double>) {
+        return near;
+      } else {
+        return ball_of<Real>(factor);
+      }
+    }
+  };
+  static LinearForm unknown(int k) { return single(&LinearForm::unknowns, k); }
+  static LinearForm drive(int k) { return single(&LinearForm::drives, k); }
+  LinearForm times(const Dyadic& factor) const;
+
+  std::vector<Term> unknowns, drives;
+
+ private:
+  static LinearForm single(std::vector<Term> LinearForm::*terms, int k) {
+    LinearForm form;
+    (form.*terms).push_back({k, Dyadic::exact(1), Ball<double>::exact(1)});
+    return form;
+  }
+};
+
+struct LoopEquations {
+  /// A joint of the tree, and the link that it carries.
+  struct TreeJoint {
+    int parent = -1;  ///< the joint that carries the other body; -1: the ground does
+    bool slide = false;
+    Point at, direction;  ///< in the drawn pose
+    double sign = 1;      ///< -1: the link is the joint's first body
+    LinearForm value;
+  };
+  /// A joint that closes a loop, between the links that two joints of the tree carry; -1 stands for the ground.
+  struct Closure {
+    int first = -1, second = -1;
+    bool slide = false;
+    Point at, direction;
+    std::optional<LinearForm> value;  ///< given if the joint is driven or coupled
+    int equations() const { return value ? 3 : 2; }
+  };
+  std::vector<TreeJoint> joints;  ///< parents first
+  std::vector<Closure> closures;
+  std::vector<Drive> drives;
+  int unknowns = 0;
+
+  /// As many as unknowns in a mechanism that moves as its drives say.
+  int equations() const;
+};
+
+/// Where all links are, for some values of the unknowns.
+template <class J>
+struct LinkPoses {
+  std::vector<J> values;      ///< of the joints of the tree
+  std::vector<PoseOf<J>> of;  ///< of the links, as seen from the ground; in the drawn pose they are identities
+};
+
+/// The motion of a joint with this value.
+template <class J>
+PoseOf<J> joint_pose(bool slide, const Point& at, const Point& direction, const J& value) {
+  using Real = typename J::Number;
+  if (slide) {
+    const J way = value * (Ball<Real>::exact(1) / length_of_direction<Real>(direction));
+    return {way * Ball<Real>::exact(direction.x), way * Ball<Real>::exact(direction.y), J::constant(1.0),
+            J::constant(0.0)};
+  }
+  PoseOf<J> p;
+  sin_cos_degrees(value, p.xy, p.xx);
+  const J versine = J::constant(1.0) - p.xx;
+  const Ball<Real> x = Ball<Real>::exact(at.x), y = Ball<Real>::exact(at.y);
+  p.ox = versine * x + p.xy * y;
+  p.oy = versine * y - p.xy * x;
+  return p;
+}
+
+template <class J>
+PoseOf<J> resting_pose_of() {
+  return {J::constant(0.0), J::constant(0.0), J::constant(1.0), J::constant(0.0)};
+}
+
+/// Where a pose puts a point.
+template <class J>
+std::array<J, 2> placed_point(const PoseOf<J>& p, const Point& at) {
+  using Real = typename J::Number;
+  const Ball<Real> x = Ball<Real>::exact(at.x), y = Ball<Real>::exact(at.y);
+  return {p.ox + (p.xx * x - p.xy * y), p.oy + (p.xy * x + p.xx * y)};
+}
+
+template <class J>
+J value_of(const LinearForm& form, const std::vector<J>& unknowns, const std::vector<J>& drives) {
+  using Real = typename J::Number;
+  J sum = J::constant(0.0);
+  const auto add = [&sum](const LinearForm::Term& term, const std::vector<J>& from) {
+    const Ball<Real> factor = term.as<Real>();
+    const J& x = from[static_cast<std::size_t>(term.of)];
+    const bool one = factor.rad == 0 && factor.mid == Real(1);
+    sum = sum + (one ? x : x * factor);
+  };
+  for (const auto& term : form.unknowns) add(term, unknowns);
+  for (const auto& term : form.drives) add(term, drives);
+  return sum;
+}
+
+/// The value that a piece of a drive says, where J is the time as a function of whatever the numbers are functions of.
+template <class J>
+J drive_value(const Drive::Piece& piece, const J& t) {
+  using Real = typename J::Number;
+  if (!piece.line) {
+    J sum = J::constant(0.0);
+    for (std::size_t k = piece.polynomial.size(); k-- > 0;) sum = sum * t + J::constant(piece.polynomial[k]);
+    return sum;
+  }
+  const auto& [t0, v0, t1, v1] = *piece.line;
+  using B = Ball<Real>;
+  if (t0 == t1 || v0 == v1) return J::constant(v0);
+  const B slope = (B::exact(v1) - B::exact(v0)) / (B::exact(t1) - B::exact(t0));
+  return J::constant(v0) + (t - J::constant(t0)) * slope;
+}
+
+template <class J>
+LinkPoses<J> link_poses(const LoopEquations& equations, const std::vector<J>& unknowns, const std::vector<J>& drives) {
+  LinkPoses<J> links;
+  links.values.reserve(equations.joints.size());
+  links.of.reserve(equations.joints.size());
+  for (const LoopEquations::TreeJoint& joint : equations.joints) {
+    links.values.push_back(value_of(joint.value, unknowns, drives));
+    const J& value = links.values.back();
+    const PoseOf<J> own = joint_pose(joint.slide, joint.at, joint.direction, joint.sign < 0 ? -value : value);
+    links.of.push_back(joint.parent < 0 ? own : compose(links.of[static_cast<std::size_t>(joint.parent)], own));
+  }
+  return links;
+}
+
+/// Calls visit(joint) for each joint between a link and the ground.
+template <class Visit>
+void for_each_joint_on_path(const LoopEquations& equations, int link, const Visit& visit) {
+  for (; link >= 0; link = equations.joints[static_cast<std::size_t>(link)].parent) visit(link);
+}
+
+/// By how much a link has turned, in degrees.
+template <class J>
+J angle_of(const LoopEquations& equations, const LinkPoses<J>& links, int link) {
+  J sum = J::constant(0.0);
+  for_each_joint_on_path(equations, link, [&](int k) {
+    const LoopEquations::TreeJoint& joint = equations.joints[static_cast<std::size_t>(k)];
+    if (joint.slide) return;
+    const J& value = links.values[static_cast<std::size_t>(k)];
+    sum = joint.sign < 0 ? sum - value : sum + value;
+  });
+  return sum;
+}
+
+template <class J>
+PoseOf<J> pose_of_link(const LinkPoses<J>& links, int link) {
+  return link < 0 ? resting_pose_of<J>() : links.of[static_cast<std::size_t>(link)];
+}
+
+/// F: zero where the loops are closed.
+template <class J>
+std::vector<J> residuals(const LoopEquations& equations, const LinkPoses<J>& links, const std::vector<J>& unknowns,
+                         const std::vector<J>& drives) {
+  using Real = typename J::Number;
+  std::vector<J> out;
+  for (const LoopEquations::Closure& closure : equations.closures) {
+    const PoseOf<J> a = pose_of_link(links, closure.first), b = pose_of_link(links, closure.second);
+    const std::array<J, 2> p = placed_point(a, closure.at), q = placed_point(b, closure.at);
+    const J x = q[0] - p[0], y = q[1] - p[1];
+    const auto turned = [&] {
+      return angle_of(equations, links, closure.second) - angle_of(equations, links, closure.first);
+    };
+    if (!closure.slide) {
+      out.push_back(x);
+      out.push_back(y);
+      if (closure.value) out.push_back(turned() - value_of(*closure.value, unknowns, drives));
+      continue;
+    }
+    // The direction turns with the first body. The second one is on it, and turned as the first.
+    const Ball<Real> dx = Ball<Real>::exact(closure.direction.x), dy = Ball<Real>::exact(closure.direction.y);
+    const J ex = a.xx * dx - a.xy * dy, ey = a.xy * dx + a.xx * dy;
+    out.push_back(ex * y - ey * x);
+    out.push_back(turned());
+    if (closure.value)
+      out.push_back(ex * x + ey * y -
+                    value_of(*closure.value, unknowns, drives) * length_of_direction<Real>(closure.direction));
+  }
+  return out;
+}
+
+}  // namespace taut::internal

@@ -1,0 +1,232 @@
+#include "scene/mechanism.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "numeric/budget.hpp"
+#include "taut/error.hpp"
+
+namespace taut::internal {
+namespace {
+
+class Assembly {
+ public:
+  explicit Assembly(Scene scene) : scene_(std::move(scene)) {}
+
+  Scene run() {
+    tree_ = joint_tree(scene_);
+    TimedEquations timed = loop_equations(scene_, tree_);
+    mobility_ = mobility_of(*scene_.mechanism, tree_);
+    require_mobility();
+    equations_ = std::move(timed.equations);
+    if (equations_.equations() != equations_.unknowns) fail_mobility("the drives do not determine the joints");
+    const double asked_end = scene_.end;
+    follow_all(timed.ends);
+    const auto functions = std::make_shared<const JointFunctions>(std::move(equations_), std::move(cells_));
+    move_links(functions, timed.ends);
+    scene_.assembly = std::make_shared<const AssembledMechanism>(
+        AssembledMechanism{functions, tree_, mobility_, asked_end, scene_.end});
+    return std::move(scene_);
+  }
+
+ private:
+  const Mechanism& mechanism() const { return *scene_.mechanism; }
+
+  [[noreturn]] void fail_mobility(const std::string& problem) const {
+    throw InputError(
+        "mechanism",
+        fmt::format("{}: its mobility is {}, with {} joints, {} loops and {} couplings, and {} joints are driven",
+                    problem, mobility_.mobility, mechanism().joints.size(), mobility_.loops,
+                    mechanism().couplings.size(), mechanism().drives.size()),
+        "the number of driven joints must be the mobility" + candidate());
+  }
+
+  /// A joint that could be driven as well, or that is driven in vain.
+  std::string candidate() const {
+    const auto driven = static_cast<int>(mechanism().drives.size());
+    if (driven >= mobility_.mobility)
+      return driven > mobility_.mobility
+                 ? ": leave out the drive of \"" + mechanism().drives.back().joint + "\", for instance"
+                 : "";
+    for (const MechanismJoint& joint : mechanism().joints) {
+      const auto named = [&](const auto& other) { return other.joint == joint.name; };
+      const bool known = std::any_of(mechanism().drives.begin(), mechanism().drives.end(), named) ||
+                         std::any_of(mechanism().couplings.begin(), mechanism().couplings.end(), named);
+      if (!known && !joint.shared) return ": drive \"" + joint.name + "\" as well, for instance";
+    }
+    return "";
+  }
+
+  void require_mobility() const {
+    if (mobility_.redundant >= 0) {
+      const std::string& name = mechanism().joints[static_cast<std::size_t>(mobility_.redundant)].name;
+      fail_mobility("the loop that joint \"" + name + "\" closes is constrained by others in the drawn pose already, " +
+                    "so that the joint is redundant, or the pose is a dead point");
+    }
+    if (mobility_.mobility != static_cast<int>(mechanism().drives.size()))
+      fail_mobility(static_cast<int>(mechanism().drives.size()) < mobility_.mobility
+                        ? "the drives leave it free to move in other ways"
+                        : "more joints are driven than can move independently");
+  }
+
+  /// From the drawn pose to the beginning of the drives, and on to the end.
+  void follow_all(const std::vector<double>& ends) {
+    Balls<double> values(static_cast<std::size_t>(equations_.unknowns), Ball<double>::exact(0));
+    cells_.resize(ends.size());
+    if (equations_.unknowns == 0) return;
+    require_regular_drawing();
+    values = at_beginning(std::move(values));
+    double from = scene_.start;
+    for (std::size_t k = 0; k < ends.size(); ++k) {
+      LoopPath path = follow(equations_, k, from, ends[k], values);
+      if (path.singular) return lock(k, std::move(path));
+      values = std::move(path.last);
+      cells_[k] = std::move(path.cells);
+      from = ends[k];
+    }
+  }
+
+  void require_regular_drawing() const {
+    LoopEquations drawn = equations_;
+    for (Drive& drive : drawn.drives) drive.pieces = {{1, std::array<double, 4>{0, 0, 1, 0}, {}}};
+    const std::vector<double> zero(static_cast<std::size_t>(drawn.unknowns));
+    std::vector<double> about = zero;
+    const LoopCurve curve{drawn, 0, drawn.unknowns};
+    const auto inverse = newton(curve, about, 0);
+    if (inverse && solve_at<double>(curve, zero, 0, *inverse, weights_of(drawn))) return;
+    throw InputError("mechanism",
+                     fmt::format("the drawn pose is a dead point: with the driven joints held, {} could still move",
+                                 joint_list(loose_parts(drawn, 0, 0, zero))),
+                     "draw it in a pose in which no two links are in line, or drive another joint");
+  }
+
+  std::string joint_list(const LooseParts& loose) const {
+    std::string s;
+    const std::vector<std::string> names = joint_names(loose);
+    for (const std::string& name : names) s += (s.empty() ? "\"" : ", \"") + name + "\"";
+    return names.empty() ? "some joint" : (names.size() == 1 ? "joint " : "joints ") + s;
+  }
+
+  std::vector<std::string> joint_names(const LooseParts& loose) const {
+    std::set<int> joints;
+    for (const std::size_t k : loose.joints) joints.insert(tree_.links[k].joint);
+    for (const std::size_t k : loose.closures) joints.insert(tree_.closures[k]);
+    std::vector<std::string> names;
+    for (const int k : joints) {
+      const std::string& name = mechanism().joints[static_cast<std::size_t>(k)].name;
+      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    }
+    return names;
+  }
+
+  Balls<double> at_beginning(Balls<double> values) const {
+    LoopEquations drawn = equations_;
+    bool moves = false;
+    for (Drive& drive : drawn.drives) {
+      const double begins = drive_value(drive.pieces.front(), Series<double, 0>::constant(scene_.start)).c[0].mid;
+      moves = moves || begins != 0;
+      drive.pieces = {{1, std::array<double, 4>{0, 0, 1, begins}, {}}};
+    }
+    if (!moves) return values;
+    LoopPath path = follow(drawn, 0, 0, 1, values);
+    if (!path.singular) return path.last;
+    throw InputError(
+        "mechanism",
+        fmt::format("it locks on the way from the drawn pose to the beginning of the drives, at {:.4g} of it",
+                    path.until),
+        "draw it in a pose from which the drives' beginning can be reached");
+  }
+
+  void lock(std::size_t piece, LoopPath path) {
+    const double asked_end = scene_.end;
+    const auto dead = dead_point_after(equations_, piece, path);
+    if (!dead) {
+      scene_.lock = MechanismLock{{path.until, asked_end}, MechanismLock::Kind::undecided, {}, {}};
+      std::vector<double> values;
+      for (const Ball<double>& x : path.last) values.push_back(x.mid);
+      name(loose_parts(equations_, piece, path.until, values), *scene_.lock);
+    }
+    const bool at_end = dead && dead->time[1] >= asked_end;
+    if (dead && dead->time[0] <= asked_end) {
+      MechanismLock found;
+      found.time = dead->time;
+      std::vector<double> values;
+      for (const Ball<double>& x : dead->values) values.push_back(x.mid);
+      name(loose_parts(equations_, piece, dead->time[0], values), found);
+      scene_.lock = found;
+    }
+    if (at_end) {
+      // Up to the end, or to the lock if it comes first, only the values are enclosed.
+      LoopCell rest{path.until, asked_end, path.until + (asked_end - path.until) / 2, true, {}, {}, {}};
+      for (const Ball<double>& x : dead->values) {
+        rest.c.emplace_back();
+        rest.c.back().fill(Ball<double>(0, INFINITY));
+        rest.c.back()[0] = x;
+        rest.rest.emplace_back(0, INFINITY);
+        rest.tube.push_back(0);
+      }
+      path.cells.push_back(std::move(rest));
+    } else {
+      scene_.end = path.until;
+    }
+    cells_[piece] = std::move(path.cells);
+    cells_.resize(piece + 1);
+  }
+
+  void name(const LooseParts& loose, MechanismLock& lock) const {
+    lock.joints = joint_names(loose);
+    for (const std::size_t k : loose.links)
+      lock.links.push_back(scene_.bodies[static_cast<std::size_t>(tree_.links[k].body)].name);
+  }
+
+  void move_links(const std::shared_ptr<const JointFunctions>& functions, const std::vector<double>& ends) {
+    for (std::size_t k = 0; k < tree_.links.size(); ++k) {
+      const JointTree::Link& link = tree_.links[k];
+      const MechanismJoint& joint = mechanism().joints[static_cast<std::size_t>(link.joint)];
+      Body& body = scene_.bodies[static_cast<std::size_t>(link.body)];
+      if (link.parent >= 0)
+        body.relative_to =
+            scene_.bodies[static_cast<std::size_t>(tree_.links[static_cast<std::size_t>(link.parent)].body)].name;
+      const bool slides = joint.kind == MechanismJoint::Kind::slide;
+      for (std::size_t i = 0; i < functions->pieces(); ++i) {
+        MotionPiece piece;
+        piece.rotation = JointFollower{
+            functions, static_cast<int>(k), static_cast<int>(i), slides, joint.direction, link.reversed ? -1 : 1, 0};
+        if (!slides) piece.pivot = joint.at;
+        if (i + 1 < functions->pieces()) piece.until = ends[i];
+        body.motion.pieces.push_back(std::move(piece));
+      }
+    }
+  }
+
+  Scene scene_;
+  JointTree tree_;
+  Mobility mobility_;
+  LoopEquations equations_;
+  std::vector<std::vector<LoopCell>> cells_;
+};
+
+}  // namespace
+}  // namespace taut::internal
+
+namespace taut {
+
+const char* to_string(MechanismLock::Kind kind) {
+  switch (kind) {
+    case MechanismLock::Kind::dead_point:
+      return "dead point";
+    case MechanismLock::Kind::change_point:
+      return "change point";
+    default:
+      return "undecided";
+  }
+}
+
+Scene assembled(Scene scene) {
+  if (!scene.mechanism || scene.assembly) return scene;
+  return internal::Assembly(std::move(scene)).run();
+}
+
+}  // namespace taut
