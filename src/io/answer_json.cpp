@@ -91,7 +91,7 @@ void write_range(AnswerWriter& json, const Range& answer) {
   json.object([&] {
     end("from", answer.from);
     const bool to_lock = !answer.to && ends_at_lock(json.scene());
-    end("to", to_lock ? TimeInterval{json.scene().lock->time[0], json.scene().lock->time[1]} : answer.to);
+    end("to", to_lock ? TimeInterval{json.scene().end, json.scene().lock->time[1]} : answer.to);
     if (to_lock) {
       json.key("to_lock");
       json.boolean(true);

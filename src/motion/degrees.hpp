@@ -23,25 +23,33 @@ const Ball<Real>& one_degree() {
   }
 }
 
-/// The first member of a jet or series: its value.
-template <class Real>
-Ball<Real>& leading(Jet<Real>& x) {
-  return x.v;
+/// The number of quarter turns next to an angle in degrees.
+inline double quarter_turns_in(double degrees) {
+  const double about = degrees / 90;
+  return std::fabs(about) < 0x1p30 ? std::nearbyint(about) : 0;
 }
-template <class Real, int N>
-Ball<Real>& leading(Series<Real, N>& x) {
-  return x.c[0];
+
+/// Subtracts the quarter turns next to an angle from it, and returns how many.
+template <class J>
+double take_quarter_turns(J& angle) {
+  using Real = typename J::Number;
+  Ball<Real>& value = [&]() -> Ball<Real>& {
+    if constexpr (requires { angle.v; }) {
+      return angle.v;
+    } else {
+      return angle.c[0];
+    }
+  }();
+  const double turns = quarter_turns_in(RealTraits<Real>::to_double(value.mid));
+  if (turns != 0) value = value - Ball<Real>::exact(90 * turns);
+  return turns;
 }
 
 /// The sine and cosine of an angle in degrees, exact for multiples of 90.
 template <class J>
 void sin_cos_degrees(J angle, J& sine, J& cosine) {
-  using Real = typename J::Number;
-  Ball<Real>& value = leading(angle);
-  const double about = RealTraits<Real>::to_double(value.mid) / 90;
-  const double turns = std::fabs(about) < 0x1p30 ? std::nearbyint(about) : 0;
-  if (turns != 0) value = value - Ball<Real>::exact(90 * turns);
-  sin_cos(angle * one_degree<Real>(), sine, cosine);
+  const double turns = take_quarter_turns(angle);
+  sin_cos(angle * one_degree<typename J::Number>(), sine, cosine);
   const int k = static_cast<int>(static_cast<std::int64_t>(turns) & 3);
   if (k == 0) return;
   const J s = sine, c = cosine;

@@ -24,18 +24,16 @@ J unknown_series() {
   return s;
 }
 
-/// Coefficients about a ball from those about its middle: c_k over it is the sum of binomial(j, k) c_j h^(j - k), with
-/// the last power's coefficient over the whole ball.
+/// Coefficients about a ball from those about its middle: c_k over it is the sum of binomial(j, k) c_j h^(j - k).
 template <class Real, std::size_t Size, int N>
-Series<Real, N> widened(const std::array<Ball<Real>, Size>& c, const Ball<Real>& rest, double radius) {
+Series<Real, N> widened(const std::array<Ball<Real>, Size>& c, double radius) {
   auto out = Series<Real, N>::of_terms(N + 1);
   const Ball<Real> h(Real(0), radius);
   for (int k = 0; k <= N; ++k) {
     Ball<Real> sum = Ball<Real>::exact(0), power = Ball<Real>::exact(1);
     double binomial = 1;
-    for (int j = k; j <= static_cast<int>(Size); ++j) {
-      const Ball<Real>& from = j < static_cast<int>(Size) ? c[static_cast<std::size_t>(j)] : rest;
-      sum = sum + from * power * binomial;
+    for (int j = k; j < static_cast<int>(Size); ++j) {
+      sum = sum + c[static_cast<std::size_t>(j)] * power * binomial;
       power = power * h;
       binomial = binomial * (j + 1) / (j + 1 - k);
     }
@@ -59,40 +57,45 @@ template <int N>
 Series<double, N> LoopCell::about(std::size_t unknown, const Ball<double>& t) const {
   if (box) {
     auto out = unknown_series<Series<double, N>>();
-    out.c[0] = c[unknown][0];
+    out.c[0] = Ball<double>(c[unknown][0], error[unknown]);
     return out;
   }
+  using B = Ball<double>;
+  const B scale = B::exact(radius), place = (B::exact(t.mid) - B::exact(middle)) / scale;
+  const double half = t.rad == 0 ? 0 : (B::exact(t.rad) / scale).magnitude(), reach = place.magnitude() + half;
+  if (!(reach < 1)) return unknown_series<Series<double, N>>();
+  std::array<B, order + 1> at;
+  for (std::size_t k = 0; k < at.size(); ++k) at[k] = B::exact(c[unknown][k]);
   // About the ball's middle first.
-  Coefficients at = c[unknown];
-  const Ball<double> h = Ball<double>::exact(t.mid) - Ball<double>::exact(middle);
-  Ball<double> power = Ball<double>::exact(1);
-  std::array<Ball<double>, order + 2> powers;
-  for (Ball<double>& p : powers) {
-    p = power;
-    power = power * h;
+  const int last = half == 0 ? N : order;
+  for (int k = 0; k <= last; ++k) {
+    for (int i = order; i-- > k;)
+      at[static_cast<std::size_t>(i)] = at[static_cast<std::size_t>(i)] + at[static_cast<std::size_t>(i) + 1] * place;
   }
-  if (h.mid != 0) {
-    for (int k = 0; k <= order; ++k) {
-      for (int i = order; i-- > k;)
-        at[static_cast<std::size_t>(i)] = at[static_cast<std::size_t>(i)] + at[static_cast<std::size_t>(i) + 1] * h;
-    }
-    double binomial = 1;  // of order + 1 over k
-    for (int k = 0; k <= order; ++k) {
-      at[static_cast<std::size_t>(k)] =
-          at[static_cast<std::size_t>(k)] + rest[unknown] * powers[static_cast<std::size_t>(order + 1 - k)] * binomial;
-      binomial = binomial * (order + 1 - k) / (k + 1);
-    }
-  }
-  if (t.rad != 0) return widened<double, order + 1, N>(at, rest[unknown], t.rad);
   auto out = Series<double, N>::of_terms(N + 1);
-  for (int k = 0; k <= N; ++k) out.c[static_cast<std::size_t>(k)] = at[static_cast<std::size_t>(k)];
+  if (half != 0) {
+    out = widened<double, order + 1, N>(at, half);
+  } else {
+    for (std::size_t k = 0; k < out.c.size(); ++k) out.c[k] = at[k];
+  }
+  // Coefficient k of the analytic rest is at most error / (1 - reach)^(k + 1), since binomial(j, k) reach^(j - k) is at
+  // most the sum of these over all j.
+  const B room = B::exact(1) / (B::exact(1) - B::exact(reach));
+  B rest = B::exact(error[unknown]) * room, unit = B::exact(1);
+  for (B& x : out.c) {
+    x = x * unit;
+    x.rad = detail::inflate(x.rad + rest.magnitude());
+    rest = rest * room / scale;
+    unit = unit / scale;
+  }
   return out;
 }
 template Series<double, 0> LoopCell::about(std::size_t, const Ball<double>&) const;
+template Series<double, 1> LoopCell::about(std::size_t, const Ball<double>&) const;
 
 double LoopCell::approximate(std::size_t unknown, double t) const {
   double sum = 0;
-  for (int k = order; k >= 0; --k) sum = sum * (t - middle) + c[unknown][static_cast<std::size_t>(k)].mid;
+  for (int k = order; k >= 0; --k) sum = sum * ((t - middle) / radius) + c[unknown][static_cast<std::size_t>(k)];
   return sum;
 }
 
@@ -186,8 +189,10 @@ std::vector<Series<Real, N>> JointFunctions::unknowns(std::size_t piece, const B
       } else if (t.rad == 0) {
         out.push_back((*at_middle)[i]);
       } else {
-        const auto rest = as_real(over[i].c[static_cast<std::size_t>(N) + 1]);
-        out.push_back(widened<Real, static_cast<std::size_t>(N) + 1, N>((*at_middle)[i].c, rest, t.rad));
+        std::array<Ball<Real>, static_cast<std::size_t>(N) + 2> c;
+        std::copy((*at_middle)[i].c.begin(), (*at_middle)[i].c.end(), c.begin());
+        c.back() = as_real(over[i].c.back());
+        out.push_back(widened<Real, static_cast<std::size_t>(N) + 2, N>(c, t.rad));
       }
     }
     return out;

@@ -7,22 +7,23 @@
 #include <optional>
 #include <vector>
 
+#include "motion/disc_series.hpp"
 #include "motion/loop_solver.hpp"
 
 namespace taut::internal {
 
-/// A part of the time on which the unknowns are enclosed by Taylor polynomials about its middle, and on which no other
-/// solution of the equations is within `tube` of these.
+/// A part of the time on which the unknowns are polynomials in (t - middle) / radius, up to functions that are analytic
+/// on the disc with that middle and radius, with `error` as a bound of the sum of their coefficients' magnitudes. No
+/// other solution of the equations is within `tube` of these polynomials at any time of the cell.
 struct LoopCell {
-  static constexpr int order = 13;
-  using Coefficients = std::array<Ball<double>, order + 1>;
+  static constexpr int order = DiscSeries::order;
+  using Coefficients = std::array<double, order + 1>;
 
-  double from, to, middle;
-  bool box = false;                ///< only the values are enclosed: right before a dead point
-  std::vector<Coefficients> c;     ///< of each unknown: those at the middle
-  std::vector<Ball<double>> rest;  ///< that of the next power, over the whole cell
-  std::vector<double> tube;
-  /// Over the ball t, which the cell contains: the coefficients about it.
+  double from, to, middle, radius;
+  bool box = false;             ///< only the values are enclosed, by `error` about c[0]: right before a dead point
+  std::vector<Coefficients> c;  ///< of each unknown
+  std::vector<double> error, tube;
+  /// The Taylor coefficients over the ball t, which the cell contains.
   template <int N>
   Series<double, N> about(std::size_t unknown, const Ball<double>& t) const;
   /// The polynomial's value, without bounds.

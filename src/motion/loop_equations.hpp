@@ -143,6 +143,21 @@ J drive_value(const Drive::Piece& piece, const J& t) {
   return J::constant(v0) + (t - J::constant(t0)) * slope;
 }
 
+/// Its derivative by the time.
+template <class J>
+J drive_rate(const Drive::Piece& piece, const J& t) {
+  using B = Ball<typename J::Number>;
+  if (!piece.line) {
+    J sum = J::constant(0.0);
+    for (std::size_t k = piece.polynomial.size(); k-- > 1;)
+      sum = sum * t + J::constant(B::exact(piece.polynomial[k]) * static_cast<double>(k));
+    return sum;
+  }
+  const auto& [t0, v0, t1, v1] = *piece.line;
+  if (t0 == t1 || v0 == v1) return J::constant(0.0);
+  return J::constant((B::exact(v1) - B::exact(v0)) / (B::exact(t1) - B::exact(t0)));
+}
+
 template <class J>
 LinkPoses<J> link_poses(const LoopEquations& equations, const std::vector<J>& unknowns, const std::vector<J>& drives) {
   LinkPoses<J> links;
@@ -210,6 +225,91 @@ std::vector<J> residuals(const LoopEquations& equations, const LinkPoses<J>& lin
                     value_of(*closure.value, unknowns, drives) * length_of_direction<Real>(closure.direction));
   }
   return out;
+}
+
+/// The derivatives of F by the values of the tree's joints, in rows; of joints between neither body and the ground they
+/// are 0 and left empty.
+template <class J>
+std::vector<std::vector<std::optional<J>>> derivatives(const LoopEquations& equations, const LinkPoses<J>& links) {
+  using Real = typename J::Number;
+  using Placed = std::array<J, 2>;
+  std::vector<std::vector<std::optional<J>>> rows;
+  for (const LoopEquations::Closure& closure : equations.closures) {
+    const std::size_t first_row = rows.size();
+    rows.resize(first_row + static_cast<std::size_t>(closure.equations()),
+                std::vector<std::optional<J>>(equations.joints.size()));
+    const PoseOf<J> a = pose_of_link(links, closure.first), b = pose_of_link(links, closure.second);
+    const Placed p = placed_point(a, closure.at), q = placed_point(b, closure.at);
+    const J x = q[0] - p[0], y = q[1] - p[1];
+    const Ball<Real> dx = Ball<Real>::exact(closure.direction.x), dy = Ball<Real>::exact(closure.direction.y);
+    const J ex = a.xx * dx - a.xy * dy, ey = a.xy * dx + a.xx * dy;
+    for (const bool of_second : {false, true}) {
+      const double side = of_second ? 1 : -1;
+      const Placed& point = of_second ? q : p;
+      for_each_joint_on_path(equations, of_second ? closure.second : closure.first, [&](int k) {
+        const LoopEquations::TreeJoint& joint = equations.joints[static_cast<std::size_t>(k)];
+        const PoseOf<J> parent = pose_of_link(links, joint.parent);
+        const auto add = [&](std::size_t row, const J& term) {
+          std::optional<J>& entry = rows[first_row + row][static_cast<std::size_t>(k)];
+          entry = entry ? *entry + term : term;
+        };
+        // How the point moves, and by how much the body turns.
+        Placed way;
+        const Ball<Real> turn = one_degree<Real>() * (joint.slide ? 0.0 : side * joint.sign);
+        if (joint.slide) {
+          const Ball<Real> unit = Ball<Real>::exact(side * joint.sign) / length_of_direction<Real>(joint.direction);
+          const Ball<Real> u = Ball<Real>::exact(joint.direction.x) * unit,
+                           v = Ball<Real>::exact(joint.direction.y) * unit;
+          way = {parent.xx * u - parent.xy * v, parent.xy * u + parent.xx * v};
+        } else {
+          const Placed pivot = placed_point(parent, joint.at);
+          way = {(pivot[1] - point[1]) * turn, (point[0] - pivot[0]) * turn};
+        }
+        const J turned = J::constant(joint.slide ? 0.0 : side * joint.sign);
+        if (!closure.slide) {
+          add(0, way[0]);
+          add(1, way[1]);
+          if (closure.value) add(2, turned);
+          return;
+        }
+        // The direction turns with the first body; for it, `turn` has the sign of a difference.
+        J across = ex * way[1] - ey * way[0], along = ex * way[0] + ey * way[1];
+        if (!of_second) {
+          across = across + (ey * y + ex * x) * turn;
+          along = along + (ey * x - ex * y) * turn;
+        }
+        add(0, across);
+        add(1, turned);
+        if (closure.value) add(2, along);
+      });
+    }
+  }
+  return rows;
+}
+
+/// One column of F': how F changes while the joints' values change at these rates, and the closures' given values at
+/// theirs.
+template <class J, class RateOf>
+std::vector<J> change_of(const LoopEquations& equations, const std::vector<std::vector<std::optional<J>>>& by_joint,
+                         const RateOf& rate_of) {
+  using Real = typename J::Number;
+  std::vector<J> column(by_joint.size(), J::constant(0.0));
+  for (std::size_t k = 0; k < equations.joints.size(); ++k) {
+    const std::optional<J> rate = rate_of(equations.joints[k].value);
+    if (!rate) continue;
+    for (std::size_t i = 0; i < column.size(); ++i) {
+      if (by_joint[i][k]) column[i] = column[i] + *by_joint[i][k] * *rate;
+    }
+  }
+  std::size_t row = 0;
+  for (const LoopEquations::Closure& closure : equations.closures) {
+    row += static_cast<std::size_t>(closure.equations());
+    const std::optional<J> rate = closure.value ? rate_of(*closure.value) : std::nullopt;
+    if (!rate) continue;
+    J& last = column[row - 1];
+    last = last - (closure.slide ? *rate * length_of_direction<Real>(closure.direction) : *rate);
+  }
+  return column;
 }
 
 }  // namespace taut::internal

@@ -7,18 +7,11 @@
 namespace taut::internal {
 namespace {
 
-using Step = Series<double, LoopCell::order + 1>;
+/// The cell's part of the disc on which it is analytic. Derivatives at its ends are as good as this is far from 1.
+constexpr double share_of_disc = 0.6875;
 
-/// sum |c_k| r^k, k = 1 .. last.
-template <class Coefficients>
-double spread(const Coefficients& c, int last, double r) {
-  double sum = 0, power = 1;
-  for (int k = 1; k <= last; ++k) {
-    power *= r;
-    sum += c[static_cast<std::size_t>(k)].magnitude() * power;
-  }
-  return sum * (1 + 0x1p-45) + underflow_slack;
-}
+/// x^(1/16) by square roots, which are the same on all platforms.
+double sixteenth_root(double x) { return std::sqrt(std::sqrt(std::sqrt(std::sqrt(x)))); }
 
 class Follower {
  public:
@@ -52,107 +45,115 @@ class Follower {
   }
 
  private:
-  /// How small the last term has to be, as a share of an unknown's weight: one rounding of an angle of a radian.
-  static constexpr double fine = 0x1p-45;
+  /// How small the error has to be, as a share of an unknown's weight: one rounding of an angle of a radian.
+  static constexpr double fine = 0x1p-46;
 
   std::optional<LoopCell> try_cell(const LoopPath& path, double from, double to, double& factor) {
-    const std::size_t n = curve_.size();
-    LoopCell cell{from, to, from + (to - from) / 2, false, {}, {}, {}};
-    const double radius = std::max(to - cell.middle, cell.middle - from) * (1 + 0x1p-50);
-    std::vector<double> guess;
-    for (std::size_t i = 0; i < n; ++i)
-      guess.push_back(path.cells.empty() ? path.last[i].mid : path.cells.back().approximate(i, cell.middle));
-    const auto inverse = newton(curve_, guess, cell.middle);
+    LoopCell cell{from, to, from + (to - from) / 2, 0, false, {}, {}, {}};
+    cell.radius = std::max({to - cell.middle, cell.middle - from, 0x1p-900}) / share_of_disc;
+    std::vector<double> middle;
+    for (std::size_t i = 0; i < curve_.size(); ++i)
+      middle.push_back(path.cells.empty() ? path.last[i].mid : path.cells.back().approximate(i, cell.middle));
+    const auto inverse = newton(curve_, middle, cell.middle);
     if (!inverse) return std::nullopt;
-    const auto middle = solve_at<double>(curve_, guess, cell.middle, *inverse, weights_);
-    if (!middle) return std::nullopt;
-    const auto series =
-        series_of<double, LoopCell::order>(curve_, *middle, Ball<double>::exact(cell.middle), *inverse, weights_);
-    if (!series) return std::nullopt;
-    for (const auto& s : *series) cell.c.push_back(s.c);
-    if (!prove_tube(cell, radius, *inverse)) return std::nullopt;
-    if (!continues(cell, path.last)) return std::nullopt;
-    return bound_rest(cell, radius, *inverse, factor) ? std::optional(std::move(cell)) : std::nullopt;
+    approximate(cell, middle, *inverse);
+    const auto wrong = residual(cell, *inverse);
+    if (!prove_tube(cell, wrong, path.last, *inverse) || !continues(cell, path.last)) return std::nullopt;
+    return is_fine(cell, *inverse, factor) ? std::optional(std::move(cell)) : std::nullopt;
   }
 
-  /// Krawczyk's test about the polynomial, with one box for all times.
-  bool prove_tube(LoopCell& cell, double radius, const Square<double>& inverse) {
+  /// The Taylor coefficients, one after the other, without bounds.
+  void approximate(LoopCell& cell, const std::vector<double>& middle, const Square<double>& inverse) const {
     const std::size_t n = curve_.size();
-    const Ball<double> whole = Ball<double>::between(cell.from, cell.to);
-    const std::vector<double> wrong = magnitudes(product(inverse, residual_over(cell, radius, whole)));
-    for (std::size_t i = 0; i < n; ++i) cell.tube.push_back(std::max(0x1p-20 * weights_[i], 4 * wrong[i]));
-    const Contraction e(inverse, jacobian(curve_, range(cell, radius), whole), weights_);
-    const std::vector<double> inner = e.times(cell.tube), closed = e.closure(wrong);
-    deviation_.clear();
-    for (std::size_t i = 0; i < n; ++i) {
-      if (!(wrong[i] + inner[i] < cell.tube[i])) return false;
-      deviation_.push_back(std::min(closed[i], cell.tube[i]));
+    RoughSeries time = RoughSeries::constant(cell.middle);
+    time.c[1] = cell.radius;
+    time.terms = 2;
+    std::vector<RoughSeries> y;
+    for (const double x : middle) y.push_back(RoughSeries::constant(x));
+    for (int k = 1; k <= LoopCell::order; ++k) {
+      for (RoughSeries& x : y) x.known = x.terms = k + 1;
+      const std::vector<RoughSeries> f = curve_.values(y, time);
+      for (std::size_t i = 0; i < n; ++i) {
+        for (std::size_t j = 0; j < n; ++j)
+          y[i].c[static_cast<std::size_t>(k)] -= inverse(i, j) * f[j].c[static_cast<std::size_t>(k)];
+      }
     }
-    return true;
+    for (const RoughSeries& x : y) cell.c.push_back(x.c);
   }
 
-  /// F at the polynomial over the cell, by Taylor's formula.
-  Balls<double> residual_over(const LoopCell& cell, double radius, const Ball<double>& whole) const {
-    std::vector<Step> at_middle, over;
-    for (const LoopCell::Coefficients& c : cell.c) {
-      std::array<Ball<double>, LoopCell::order + 1> middles = c;
-      for (Ball<double>& x : middles) x.rad = 0;
-      at_middle.push_back(Step::polynomial(middles, Ball<double>::exact(0)));
-      over.push_back(Step::polynomial(middles, whole - Ball<double>::exact(cell.middle)));
-    }
-    const std::vector<Step> f = curve_.values(at_middle, Step::variable(Ball<double>::exact(cell.middle)));
-    const std::vector<Step> g = curve_.values(over, Step::variable(whole));
-    Balls<double> out;
-    const double last = std::pow(radius, LoopCell::order + 1) * (1 + 0x1p-40);
-    for (std::size_t i = 0; i < f.size(); ++i) {
-      const double rest = g[i].c[LoopCell::order + 1].magnitude() * last;
-      const double size = f[i].c[0].magnitude() + spread(f[i].c, LoopCell::order, radius) + rest;
-      out.emplace_back(0.0, size * (1 + 0x1p-45));
+  /// The polynomials as functions on the disc, each with an error.
+  static std::vector<DiscSeries> functions(const LoopCell& cell, const std::vector<double>& error) {
+    std::vector<DiscSeries> out(cell.c.size());
+    for (std::size_t i = 0; i < out.size(); ++i) {
+      out[i].c = cell.c[i];
+      out[i].terms = LoopCell::order + 1;
+      out[i].error = error[i];
     }
     return out;
   }
 
-  /// All that the polynomial, or a solution in its tube, can be on the cell.
-  Balls<double> range(const LoopCell& cell, double radius) const {
-    Balls<double> box;
-    for (std::size_t i = 0; i < cell.c.size(); ++i) {
-      const Ball<double>& middle = cell.c[i][0];
-      box.emplace_back(middle.mid,
-                       detail::inflate(middle.rad + cell.tube[i] + spread(cell.c[i], LoopCell::order, radius)));
+  /// |Y F| at the polynomials.
+  std::vector<double> residual(const LoopCell& cell, const Square<double>& inverse) const {
+    const std::size_t n = curve_.size();
+    const std::vector<DiscSeries> f =
+        curve_.values(functions(cell, std::vector<double>(n)), DiscSeries::time(cell.middle, cell.radius));
+    std::vector<double> out;
+    for (std::size_t i = 0; i < n; ++i) {
+      DiscSeries sum = DiscSeries::constant(0.0);
+      for (std::size_t j = 0; j < n; ++j) sum = sum + f[j] * Ball<double>::exact(inverse(i, j));
+      out.push_back(sum.norm());
     }
-    return box;
+    return out;
+  }
+
+  /// Krawczyk's test among the analytic functions on the disc; it holds for each time by itself, too.
+  bool prove_tube(LoopCell& cell, const std::vector<double>& wrong, const Balls<double>& last,
+                  const Square<double>& inverse) const {
+    const std::size_t n = curve_.size();
+    // With room for what is known of the beginning.
+    for (std::size_t i = 0; i < n; ++i)
+      cell.tube.push_back(std::max({0x1p-20 * weights_[i], 4 * wrong[i], 4 * last[i].rad}));
+    const auto f = columns(curve_, functions(cell, cell.tube), DiscSeries::time(cell.middle, cell.radius));
+    Square<double> bound(n);
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t j = 0; j < n; ++j) {
+        DiscSeries entry = DiscSeries::constant(i == j ? 1.0 : 0.0);
+        for (std::size_t k = 0; k < n; ++k) entry = entry - f[j][k] * Ball<double>::exact(inverse(i, k));
+        bound(i, j) = entry.norm();
+      }
+    }
+    const Contraction e(std::move(bound), weights_);
+    const std::vector<double> inner = e.times(cell.tube), closed = e.closure(wrong);
+    for (std::size_t i = 0; i < n; ++i) {
+      if (!(wrong[i] + inner[i] < cell.tube[i])) return false;
+      cell.error.push_back(std::min(closed[i], cell.tube[i]));
+    }
+    return true;
   }
 
   /// Is the solution the one that the cell before has led to?
   static bool continues(const LoopCell& cell, const Balls<double>& last) {
+    LoopCell polynomial = cell;
+    std::fill(polynomial.error.begin(), polynomial.error.end(), 0.0);
     for (std::size_t i = 0; i < last.size(); ++i) {
-      Ball<double> value = Ball<double>::exact(0);
-      const Ball<double> h = Ball<double>::exact(cell.from) - Ball<double>::exact(cell.middle);
-      for (int k = LoopCell::order; k >= 0; --k)
-        value = value * h + Ball<double>::exact(cell.c[i][static_cast<std::size_t>(k)].mid);
+      const Ball<double> value = polynomial.about<0>(i, Ball<double>::exact(cell.from)).c[0];
       if (!((last[i] - value).magnitude() < cell.tube[i])) return false;
     }
     return true;
   }
 
-  bool bound_rest(LoopCell& cell, double radius, const Square<double>& inverse, double& factor) {
-    Balls<double> box = range(cell, radius);
-    for (std::size_t i = 0; i < box.size(); ++i)
-      box[i].rad = detail::inflate(box[i].rad - cell.tube[i] + deviation_[i]);
-    const auto series = series_of<double, LoopCell::order + 1>(curve_, box, Ball<double>::between(cell.from, cell.to),
-                                                               inverse, weights_);
-    if (!series) return false;
-    const double last = std::pow(radius, LoopCell::order + 1);
+  /// Is the error hardly more than rounding? How much longer the next cell should be, in any case.
+  bool is_fine(const LoopCell& cell, const Square<double>& inverse, double& factor) const {
+    Balls<double> middle;
+    for (const LoopCell::Coefficients& c : cell.c) middle.push_back(Ball<double>::exact(c[0]));
+    const std::vector<double> noise =
+        magnitudes(product(inverse, values_of(curve_, middle, Ball<double>::exact(cell.middle))));
     double worst = 0x1p-60;
-    for (std::size_t i = 0; i < box.size(); ++i) {
-      cell.rest.push_back((*series)[i].c[LoopCell::order + 1]);
-      const double allowed = std::max(fine * weights_[i], 4 * cell.c[i][0].rad);
-      const double share = cell.rest.back().magnitude() * last / allowed;
+    for (std::size_t i = 0; i < middle.size(); ++i) {
+      const double share = cell.error[i] / std::max(fine * weights_[i], 64 * noise[i]);
       if (!(share <= worst)) worst = share;
     }
-    if (!(worst < INFINITY)) return false;
-    // The last term grows with this power of the length.
-    factor = std::clamp(0.8 * std::pow(worst, -1.0 / (LoopCell::order + 1)), 0.25, 2.0);
+    factor = std::clamp(0.9 / sixteenth_root(worst), 0.25, 1.5);
     return worst <= 1;
   }
 
@@ -164,7 +165,6 @@ class Follower {
 
   LoopCurve curve_;
   std::vector<double> weights_;
-  std::vector<double> deviation_;  ///< of the solution from the polynomial on the last cell that was tried
 };
 
 }  // namespace

@@ -39,15 +39,25 @@ std::optional<Square<double>> approximate_inverse(const Square<double>& a) {
 
 Contraction::Contraction(const Square<double>& y, const Square<Ball<double>>& derivative,
                          std::vector<double> given_weights)
-    : bound(y.n), weights(std::move(given_weights)) {
-  for (std::size_t i = 0; i < y.n; ++i) {
+    : Contraction(
+          [&] {
+            Square<double> bounds(y.n);
+            for (std::size_t i = 0; i < y.n; ++i) {
+              for (std::size_t j = 0; j < y.n; ++j) {
+                Ball<double> entry = Ball<double>::exact(i == j ? 1 : 0);
+                for (std::size_t k = 0; k < y.n; ++k) entry = entry - derivative(k, j) * y(i, k);
+                bounds(i, j) = entry.magnitude();
+              }
+            }
+            return bounds;
+          }(),
+          std::move(given_weights)) {}
+
+Contraction::Contraction(Square<double> given_bound, std::vector<double> given_weights)
+    : bound(std::move(given_bound)), weights(std::move(given_weights)) {
+  for (std::size_t i = 0; i < bound.n; ++i) {
     double sum = 0;
-    for (std::size_t j = 0; j < y.n; ++j) {
-      Ball<double> entry = Ball<double>::exact(i == j ? 1 : 0);
-      for (std::size_t k = 0; k < y.n; ++k) entry = entry - derivative(k, j) * y(i, k);
-      bound(i, j) = entry.magnitude();
-      sum += bound(i, j) * weights[j] / weights[i];
-    }
+    for (std::size_t j = 0; j < bound.n; ++j) sum += bound(i, j) * weights[j] / weights[i];
     sum *= 1 + 0x1p-45;
     norm = sum <= norm ? norm : sum;  // also where it is not a number
   }

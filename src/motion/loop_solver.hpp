@@ -34,6 +34,13 @@ struct LoopCurve {
     for (const Drive& drive : equations.drives) drives.push_back(drive_value(drive.pieces[piece], time));
     return drives;
   }
+  /// How fast the drives change with the time.
+  template <class J>
+  std::vector<J> rates_at(const J& time) const {
+    std::vector<J> rates;
+    for (const Drive& drive : equations.drives) rates.push_back(drive_rate(drive.pieces[piece], time));
+    return rates;
+  }
   template <class J>
   std::vector<J> values(std::vector<J> y, const J& s) const {
     if (by_time()) return residuals_at(y, s);
@@ -64,18 +71,46 @@ struct Square {
 /// An approximate inverse, if there is one in doubles.
 std::optional<Square<double>> approximate_inverse(const Square<double>& a);
 
+/// F' for numbers of any kind, by its columns: by y, and, where the time is among these, by the time.
+template <class J>
+std::vector<std::vector<J>> columns(const LoopCurve& curve, std::vector<J> y, const J& s) {
+  using Real = typename J::Number;
+  const LoopEquations& equations = curve.equations;
+  J time = s;
+  if (!curve.by_time()) std::swap(time, y[static_cast<std::size_t>(curve.parameter)]);
+  const auto by_joint = derivatives(equations, link_poses(equations, y, curve.drives_at(time)));
+  std::vector<std::vector<J>> out;
+  for (int j = 0; j < equations.unknowns; ++j) {
+    if (j == curve.parameter) {
+      const std::vector<J> rates = curve.rates_at(time);
+      out.push_back(change_of<J>(equations, by_joint, [&](const LinearForm& form) -> std::optional<J> {
+        if (form.drives.empty()) return std::nullopt;
+        J sum = J::constant(0.0);
+        for (const auto& term : form.drives) sum = sum + rates[static_cast<std::size_t>(term.of)] * term.as<Real>();
+        return sum;
+      }));
+      continue;
+    }
+    out.push_back(change_of<J>(equations, by_joint, [&](const LinearForm& form) -> std::optional<J> {
+      for (const auto& term : form.unknowns) {
+        if (term.of == j) return J::constant(term.as<Real>());
+      }
+      return std::nullopt;
+    }));
+  }
+  return out;
+}
+
 /// F' over a box of y and s.
 template <class Real>
 Square<Ball<Real>> jacobian(const LoopCurve& curve, const Balls<Real>& y, const Ball<Real>& s) {
-  using J = Series<Real, 1>;
-  Square<Ball<Real>> out(curve.size());
+  using J = Series<Real, 0>;
   std::vector<J> at;
   for (const Ball<Real>& x : y) at.push_back(J::constant(x));
+  const std::vector<std::vector<J>> f = columns(curve, std::move(at), J::constant(s));
+  Square<Ball<Real>> out(curve.size());
   for (std::size_t j = 0; j < out.n; ++j) {
-    at[j] = J::variable(y[j]);
-    const std::vector<J> f = curve.values(at, J::constant(s));
-    for (std::size_t i = 0; i < out.n; ++i) out(i, j) = f[i].terms > 1 ? f[i].c[1] : Ball<Real>::exact(0);
-    at[j] = J::constant(y[j]);
+    for (std::size_t i = 0; i < out.n; ++i) out(i, j) = f[j][i].c[0];
   }
   return out;
 }
@@ -109,6 +144,7 @@ struct Contraction {
   double norm = 0;              ///< in the norm with these weights
 
   Contraction(const Square<double>& y, const Square<Ball<double>>& derivative, std::vector<double> given_weights);
+  Contraction(Square<double> given_bound, std::vector<double> given_weights);
   /// The bound times a vector of nonnegative numbers.
   std::vector<double> times(const std::vector<double>& v) const;
   /// A bound of |x| for all x with |x| <= |g| + bound |x|; infinite if there is none.

@@ -8,14 +8,18 @@ namespace taut::internal {
 namespace {
 
 using Order2 = Series<double, 2>;
+/// Values that change along a vector, by a parameter.
+using Moving = Series<double, 1>;
 
 class DeadPointSearch {
  public:
   DeadPointSearch(const LoopEquations& equations, std::size_t piece, const LoopPath& path)
       : path_(path), weights_(weights_of(equations)), curve_{equations, piece, fastest(path)} {
-    // The time stands in the place of the parameter.
-    weights_[static_cast<std::size_t>(curve_.parameter)] =
-        std::max(path.cells.back().to - path.cells.front().from, 0x1p-300);
+    // In place of the parameter there is the time, in which a drive moves by about a degree or a unit of length.
+    double fastest = 0;
+    for (const Moving& rate : curve_.rates_at(Moving::constant(path.until)))
+      fastest = std::max(fastest, std::fabs(rate.c[0].mid));
+    weights_[static_cast<std::size_t>(curve_.parameter)] = 1 / std::max(fastest, 0x1p-300);
   }
 
   std::optional<DeadPoint> find() const {
@@ -80,14 +84,18 @@ class DeadPointSearch {
     const Ball<double> all = Ball<double>::between(lo, hi);
     Balls<double> middle;
     for (const double x : y) middle.push_back(Ball<double>::exact(x));
-    const std::vector<double> wrong = magnitudes(product(*inverse, values_of(curve_, middle, all)));
+    const std::vector<double> wrong = residual_over(middle, turning, all, *inverse);
     Balls<double> tube = middle;
-    for (std::size_t i = 0; i < n; ++i) tube[i].rad = 3 * wrong[i] + 0x1p-40 * weights_[i];
+    double most = 0;
+    for (std::size_t i = 0; i < n; ++i) most = std::max(most, wrong[i] / weights_[i]);
+    for (std::size_t i = 0; i < n; ++i) tube[i].rad = 4 * most * weights_[i];
     const Contraction e(*inverse, jacobian(curve_, tube, all), weights_);
-    std::vector<double> radii;
-    for (const Ball<double>& x : tube) radii.push_back(x.rad);
+    if (!(e.norm < 0.25)) return std::nullopt;
+    std::vector<double> radii = e.closure(wrong);
+    for (std::size_t i = 0; i < n; ++i) radii[i] = std::min(2 * radii[i], tube[i].rad);
     const std::vector<double> inner = e.times(radii);
     for (std::size_t i = 0; i < n; ++i) {
+      tube[i].rad = radii[i];
       if (!(wrong[i] + inner[i] < radii[i])) return std::nullopt;
       const Ball<double> from = i == p ? Ball<double>::exact(path_.until) : path_.last[i];
       if (!((from - middle[i]).magnitude() < radii[i])) return std::nullopt;
@@ -106,6 +114,22 @@ class DeadPointSearch {
     for (std::size_t i = 0; i < n; ++i)
       found.values.push_back(i == p ? Ball<double>::between(std::min(first, lo), std::max(first, hi)) : tube[i]);
     return found;
+  }
+
+  /// |Y F| at constant y for all parameters, by the mean value theorem: Y F hardly changes with the parameter where y
+  /// does not.
+  std::vector<double> residual_over(const Balls<double>& y, double s, const Ball<double>& all,
+                                    const Square<double>& inverse) const {
+    std::vector<Moving> at;
+    for (const Ball<double>& x : y) at.push_back(Moving::constant(x));
+    Balls<double> slope;
+    for (const Moving& f : curve_.values(at, Moving::variable(all)))
+      slope.push_back(f.terms > 1 ? f.c[1] : Ball<double>::exact(0));
+    std::vector<double> wrong = magnitudes(product(inverse, values_of(curve_, y, Ball<double>::exact(s))));
+    const std::vector<double> rates = magnitudes(product(inverse, slope));
+    const double half = (all - Ball<double>::exact(s)).magnitude();
+    for (std::size_t i = 0; i < wrong.size(); ++i) wrong[i] = detail::inflate(wrong[i] + rates[i] * half);
+    return wrong;
   }
 
   const LoopPath& path_;
@@ -137,9 +161,6 @@ std::vector<double> kernel_of(Square<double> matrix) {
   for (std::size_t i = 0; i < matrix.n; ++i) kernel[i] = (*inverse)(i, column) / *most;
   return kernel;
 }
-
-/// Values that change along a vector, by a parameter.
-using Moving = Series<double, 1>;
 
 bool moves(const Moving& x, double size) { return x.terms > 1 && std::fabs(x.c[1].mid) > 0x1p-16 * size; }
 

@@ -159,12 +159,11 @@ class Assembly {
     }
     if (at_end) {
       // Up to the end, or to the lock if it comes first, only the values are enclosed.
-      LoopCell rest{path.until, asked_end, path.until + (asked_end - path.until) / 2, true, {}, {}, {}};
+      LoopCell rest{path.until, asked_end, path.until + (asked_end - path.until) / 2, asked_end - path.until, true, {},
+                    {},         {}};
       for (const Ball<double>& x : dead->values) {
-        rest.c.emplace_back();
-        rest.c.back().fill(Ball<double>(0, INFINITY));
-        rest.c.back()[0] = x;
-        rest.rest.emplace_back(0, INFINITY);
+        rest.c.push_back({x.mid});
+        rest.error.push_back(x.rad);
         rest.tube.push_back(0);
       }
       path.cells.push_back(std::move(rest));

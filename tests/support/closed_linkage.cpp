@@ -112,7 +112,8 @@ Long ClosedLinkage::place(double t, std::vector<LongPoint>& points) const {
     LongPoint axis_b;
     if (dyad.slides) {
       // r = start + s d with |r - p|^2 = length; the branch is the side of p's foot that r is on when drawn.
-      const LongPoint start = placed(mq.body, mr.at), d = product(frames[static_cast<std::size_t>(mq.body)].axis, of(dyad.direction));
+      const LongPoint start = placed(mq.body, mr.at),
+                      d = product(frames[static_cast<std::size_t>(mq.body)].axis, of(dyad.direction));
       const Long dd = dot(d, d), foot = dot(p - start, d) / dd;
       const LongPoint nearest = start + foot * d;
       const Long under = (length - dot(p - nearest, p - nearest)) / dd;

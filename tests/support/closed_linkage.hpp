@@ -11,8 +11,9 @@
 
 namespace taut::testing {
 
-using Long = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<2000, boost::multiprecision::digit_base_2>,
-                                           boost::multiprecision::et_off>;
+using Long =
+    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<2000, boost::multiprecision::digit_base_2>,
+                                  boost::multiprecision::et_off>;
 
 struct LongPoint {
   Long x, y;
