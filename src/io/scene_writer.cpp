@@ -1,8 +1,10 @@
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "io/json_text.hpp"
 #include "numeric/overloaded.hpp"
+#include "scene/mechanism_lock.hpp"
 #include "taut/io.hpp"
 #include "taut/shape.hpp"
 
@@ -103,7 +105,68 @@ std::string curves_text(const std::vector<CurvedPart>& parts) {
   return s + "]";
 }
 
-std::string body_text(const Body& body) {
+std::string joint_text(const std::vector<MechanismJoint>& joints, std::size_t first) {
+  const bool slides = joints[first].kind == MechanismJoint::Kind::slide;
+  std::string bodies = io::string_text(joints[first].first);
+  for (std::size_t k = first; k < joints.size() && joints[k].name == joints[first].name; ++k)
+    bodies += "," + io::string_text(joints[k].second);
+  return io::string_text(joints[first].name) + ":{" + (slides ? "\"slide\":[" : "\"revolute\":[") + bodies + "]," +
+         (slides ? "\"direction\":" + io::point_text(joints[first].direction)
+                 : "\"at\":" + io::point_text(joints[first].at)) +
+         "}";
+}
+
+bool is_slide(const Mechanism& mechanism, const std::string& joint) {
+  for (const MechanismJoint& other : mechanism.joints) {
+    if (other.name == joint) return other.kind == MechanismJoint::Kind::slide;
+  }
+  return false;
+}
+
+/// Lines as keyframes, which are in the scene's time, whatever that is.
+std::string drive_text(const Mechanism& mechanism, const Drive& drive) {
+  const std::string value = is_slide(mechanism, drive.joint) ? "\"value\":" : "\"deg\":";
+  const Drive::Piece& piece = drive.pieces.front();
+  if (!piece.line) return "{" + value + io::array_text(piece.polynomial) + "}";
+  std::string s;
+  const auto add = [&](double t, double v) {
+    s += (s.empty() ? "[{\"t\":" : ",{\"t\":") + io::number_text(t) + "," + value + io::number_text(v) + "}";
+  };
+  const auto& first = *piece.line;
+  add(first[0], first[1]);
+  for (const Drive::Piece& next : drive.pieces) {
+    if (next.line && (*next.line)[2] > (*next.line)[0]) add((*next.line)[2], (*next.line)[3]);
+  }
+  return s + "]";
+}
+
+std::string mechanism_text(const Mechanism& mechanism) {
+  std::string s = "{\"ground\":" + io::string_text(mechanism.ground) + ",\n  \"joints\":{";
+  for (std::size_t k = 0; k < mechanism.joints.size(); ++k) {
+    if (k > 0 && mechanism.joints[k].name == mechanism.joints[k - 1].name) continue;
+    s += (k > 0 ? ",\n   " : "\n   ") + joint_text(mechanism.joints, k);
+  }
+  s += "},\n  \"drive\":{";
+  for (const Drive& drive : mechanism.drives)
+    s += (&drive == &mechanism.drives.front() ? "" : ",") + io::string_text(drive.joint) + ":" +
+         drive_text(mechanism, drive);
+  s += "}";
+  for (const Coupling& coupling : mechanism.couplings)
+    s += (&coupling == &mechanism.couplings.front() ? ",\n  \"couple\":[" : ",") + std::string("{\"joint\":") +
+         io::string_text(coupling.joint) + ",\"to\":" + io::string_text(coupling.to) +
+         ",\"times\":" + io::number_text(coupling.times) + "}";
+  return s + (mechanism.couplings.empty() ? "}" : "]}");
+}
+
+/// Does a joint of the mechanism say how the body moves?
+bool is_joined(const Scene& scene, const Body& body) {
+  if (!scene.mechanism) return false;
+  return std::any_of(scene.mechanism->joints.begin(), scene.mechanism->joints.end(), [&](const MechanismJoint& joint) {
+    return joint.first == body.name || joint.second == body.name;
+  });
+}
+
+std::string body_text(const Scene& scene, const Body& body) {
   std::string s = "  {\"name\":" + io::string_text(body.name);
   if (!body.curves.empty())
     s += ",\n   " + curves_text(body.curves);
@@ -114,8 +177,9 @@ std::string body_text(const Body& body) {
   else
     s += ",\n   \"parts\":" + parts_text(body.parts);
   if (!(body.z == Layers{})) s += ",\n   " + layers_text(body.z);
-  if (!body.relative_to.empty()) s += ",\n   \"relative_to\":" + io::string_text(body.relative_to);
-  s += ",\n   \"motion\":" + motion_text(body.motion);
+  const bool joined = is_joined(scene, body);
+  if (!body.relative_to.empty() && !joined) s += ",\n   \"relative_to\":" + io::string_text(body.relative_to);
+  s += ",\n   \"motion\":" + (joined ? "null" : motion_text(body.motion));
   if (!body.id.empty()) s += ",\n   \"id\":" + body.id;
   return s + "}";
 }
@@ -130,11 +194,12 @@ std::string ignored_text(const Scene& scene) {
 }  // namespace
 
 std::string write_scene(const Scene& scene) {
-  std::string s =
-      "{\"format\":\"taut-scene/1\",\n \"time\":" + io::array_text({scene.start, scene.end}) + ",\n \"bodies\":[\n";
-  for (std::size_t i = 0; i < scene.bodies.size(); ++i) s += (i ? ",\n" : "") + body_text(scene.bodies[i]);
+  std::string s = "{\"format\":\"taut-scene/1\",\n \"time\":" + io::array_text({scene.start, given_end(scene)}) +
+                  ",\n \"bodies\":[\n";
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) s += (i ? ",\n" : "") + body_text(scene, scene.bodies[i]);
   s += "\n ]";
   if (!scene.ignore.empty()) s += ",\n \"ignore\":" + ignored_text(scene);
+  if (scene.mechanism) s += ",\n \"mechanism\":" + mechanism_text(*scene.mechanism);
   if (scene.at_rest == AtRest::test) s += ",\n \"at_rest\":\"test\"";
   if (!scene.id.empty()) s += ",\n \"id\":" + scene.id;
   return s + "}\n";

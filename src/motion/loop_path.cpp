@@ -110,9 +110,9 @@ class Follower {
   bool prove_tube(LoopCell& cell, const std::vector<double>& wrong, const Balls<double>& last,
                   const Square<double>& inverse) const {
     const std::size_t n = curve_.size();
-    // With room for what is known of the beginning.
+    // As narrow as the beginning allows: near a dead point, another branch is near.
     for (std::size_t i = 0; i < n; ++i)
-      cell.tube.push_back(std::max({0x1p-20 * weights_[i], 4 * wrong[i], 4 * last[i].rad}));
+      cell.tube.push_back(4 * std::max(wrong[i], last[i].rad) + 0x1p-40 * weights_[i]);
     const auto f = columns(curve_, functions(cell, cell.tube), DiscSeries::time(cell.middle, cell.radius));
     Square<double> bound(n);
     for (std::size_t i = 0; i < n; ++i) {

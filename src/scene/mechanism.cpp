@@ -147,6 +147,10 @@ class Assembly {
       std::vector<double> values;
       for (const Ball<double>& x : path.last) values.push_back(x.mid);
       name(loose_parts(equations_, piece, path.until, values), *scene_.lock);
+      if (const auto time = change_point_after(equations_, piece, path.until, asked_end)) {
+        scene_.lock->time = *time;
+        scene_.lock->kind = MechanismLock::Kind::change_point;
+      }
     }
     const bool at_end = dead && dead->time[1] >= asked_end;
     if (dead && dead->time[0] <= asked_end) {

@@ -63,6 +63,11 @@ struct DeadPoint {
 };
 std::optional<DeadPoint> dead_point_after(const LoopEquations& equations, std::size_t piece, const LoopPath& path);
 
+/// The instant, after `from`, at which the bars of a parallelogram, the only loop, come in line. Nothing if there is no
+/// such loop, or it does not until `end`.
+std::optional<std::array<double, 2>> change_point_after(const LoopEquations& equations, std::size_t piece, double from,
+                                                        double end);
+
 /// What could move at some values of the unknowns while the drives rest, approximately: by number, joints of the tree,
 /// closures, and links.
 struct LooseParts {

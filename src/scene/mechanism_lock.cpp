@@ -26,6 +26,8 @@ bool ends_at_lock(const Scene& scene) {
   return scene.lock && scene.end == scene.assembly->end && scene.end < scene.assembly->asked_end;
 }
 
+double given_end(const Scene& scene) { return ends_at_lock(scene) ? scene.assembly->asked_end : scene.end; }
+
 void note_lock(const Scene& scene, Outcome& outcome, std::string& reason) {
   if (outcome != Outcome::free || !ends_at_lock(scene)) return;
   outcome = Outcome::locked;

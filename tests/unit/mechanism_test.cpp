@@ -1,0 +1,135 @@
+// Mechanisms from JSON, and their errors.
+#include <gtest/gtest.h>
+
+#include "taut/check.hpp"
+#include "taut/error.hpp"
+#include "taut/intervals.hpp"
+#include "taut/io.hpp"
+#include "taut/pose.hpp"
+
+namespace taut::testing {
+namespace {
+
+/// Four bars with a crank of length 10, and what is to be changed of them.
+std::string four_bar(const std::string& from = "", const std::string& to = "") {
+  std::string text = R"({"format":"taut-scene/1","time":[0,1],"bodies":[
+    {"name":"base","polygon":[[-5,-9],[45,-9],[45,-6],[-5,-6]],"z":[-1,0]},
+    {"name":"crank","polygon":[[0,-1],[10,-1],[10,1],[0,1]],"z":[0,1]},
+    {"name":"coupler","polygon":[[9,1],[10,-1],[36,19],[35,21]],"z":[1,2]},
+    {"name":"rocker","polygon":[[39,0],[41,0],[36,20],[34,20]],"z":[2,3]}],
+   "mechanism":{"ground":"base","joints":{
+    "A":{"revolute":["base","crank"],"at":[0,0]},
+    "B":{"revolute":["crank","coupler"],"at":[10,0]},
+    "C":{"revolute":["coupler","rocker"],"at":[35,20]},
+    "D":{"revolute":["base","rocker"],"at":[40,0]}},
+   "drive":{"A":{"from_deg":0,"to_deg":360}}}})";
+  if (from.empty()) return text;
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, text.npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+void expect_error(const std::string& from, const std::string& to, const std::string& message) {
+  try {
+    parse_scene(four_bar(from, to));
+    ADD_FAILURE() << "no error: " << message;
+  } catch (const InputError& e) {
+    EXPECT_NE(std::string(e.what()).find(message), std::string::npos) << e.what();
+  }
+}
+
+TEST(MechanismFile, NamesWhatIsWrong) {
+  expect_error(R"("ground":"base")", R"("ground":"bass")", "there is no body \"bass\"");
+  expect_error(R"(["base","crank"])", R"(["base","crunk"])", "there is no body \"crunk\"");
+  expect_error(R"(["base","crank"])", R"(["crank","crank"])", "to itself");
+  expect_error(R"("drive":{"A")", R"("drive":{"a")", "there is no joint \"a\"");
+  expect_error(R"("to_deg":360)", R"("to":360)", "unknown key");
+  expect_error(R"(["base","crank"],"at":[0,0])", R"(["base","crank"],"at":[0,0],"direction":[1,0])",
+               "no \"direction\"");
+  expect_error(R"({"revolute":["crank","coupler"],"at":[10,0]})", R"({"slide":["crank","coupler"],"direction":[0,0]})",
+               "no length");
+  expect_error(R"("name":"crank",)", R"("name":"crank","motion":{"velocity":[1,0]},)", "a motion of its own");
+  expect_error(R"("name":"rocker",)", R"("name":"rocker","relative_to":"base",)", "`relative_to` of its own");
+  expect_error(R"({"A":{"from_deg":0,"to_deg":360}})", R"({"A":[{"t":0,"deg":0},{"t":0.5,"deg":90}]})", "do not cover");
+  expect_error(R"({"A":{"from_deg":0,"to_deg":360}})", R"({"A":[{"t":0,"deg":0},{"t":0,"deg":90}]})", "not later");
+  expect_error(R"("drive":)", R"("couple":[{"joint":"D","to":"A","plus":3}],"drive":)", "this must be 0");
+  expect_error(R"("drive":)", R"("couple":[{"joint":"A","to":"D"}],"drive":)", "driven and coupled");
+}
+
+TEST(MechanismFile, CountsWhatIsDriven) {
+  expect_error(R"({"A":{"from_deg":0,"to_deg":360}})", R"({})", "its mobility is 1");
+  expect_error(R"({"A":{"from_deg":0,"to_deg":360}})",
+               R"({"A":{"from_deg":0,"to_deg":9},"D":{"from_deg":0,"to_deg":9}})", "its mobility is 1");
+  expect_error(R"("drive":)", R"("couple":[{"joint":"D","to":"B"}],"drive":)", "its mobility is 0");
+  // Without C, coupler and rocker swing freely.
+  expect_error(R"("C":{"revolute":["coupler","rocker"],"at":[35,20]},)", "", "its mobility is 3");
+}
+
+TEST(MechanismFile, RefusesToStartAtADeadPoint) {
+  try {
+    parse_scene(R"({"format":"taut-scene/1","time":[0,1],"bodies":[
+      {"name":"base","polygon":[[-5,-9],[45,-9],[45,-6],[-5,-6]]},{"name":"a","polygon":[[0,0],[1,0],[0,1]],"z":[1,2]},
+      {"name":"b","polygon":[[0,0],[1,0],[0,1]],"z":[2,3]},{"name":"c","polygon":[[0,0],[1,0],[0,1]],"z":[3,4]}],
+      "mechanism":{"ground":"base","joints":{"A":{"revolute":["base","a"],"at":[0,0]},"B":{"revolute":["a","b"],"at":[3,4]},
+       "C":{"revolute":["b","c"],"at":[6,8]},"S":{"slide":["base","c"],"direction":[3,4]}},
+      "drive":{"S":{"from":0,"to":-1}}}})");
+    FAIL();
+  } catch (const InputError& e) {
+    EXPECT_NE(std::string(e.what()).find("dead point"), std::string::npos) << e.what();
+    EXPECT_NE(std::string(e.what()).find("\"B\""), std::string::npos) << e.what();
+  }
+}
+
+TEST(MechanismFile, IsWrittenAsItIsRead) {
+  for (const std::string& text : {four_bar(),
+                                  four_bar(R"({"A":{"from_deg":0,"to_deg":360}})",
+                                           R"({"A":[{"t":-1,"deg":5},{"t":0.25,"deg":40},{"t":3,"deg":0}]})"),
+                                  four_bar(R"({"A":{"from_deg":0,"to_deg":360}})", R"({"A":{"deg":[0,20,-7]}})")}) {
+    const Scene scene = parse_scene(text), again = parse_scene(write_scene(scene));
+    EXPECT_EQ(write_scene(scene), write_scene(again));
+    for (const double t : {0.0, 0.2, 0.25, 0.7, 1.0}) {
+      const auto a = poses_at(scene, t), b = poses_at(again, t);
+      for (std::size_t k = 0; k < a.size(); ++k) {
+        EXPECT_EQ(a[k].origin, b[k].origin) << t;
+        EXPECT_EQ(a[k].axis, b[k].axis) << t;
+      }
+    }
+  }
+}
+
+TEST(MechanismFile, KeepsTheTimeOfASceneThatLocks) {
+  const Scene scene =
+      parse_scene(four_bar(R"({"A":{"from_deg":0,"to_deg":360}})", R"({"D":{"from_deg":0,"to_deg":120}})"));
+  ASSERT_TRUE(scene.lock);
+  EXPECT_LT(scene.end, 1);
+  EXPECT_EQ(scene.lock->kind, MechanismLock::Kind::dead_point);
+  const Scene again = parse_scene(write_scene(scene));
+  EXPECT_EQ(again.end, scene.end);
+  EXPECT_EQ(again.lock->time, scene.lock->time);
+  const Answer answer = check(scene);
+  EXPECT_EQ(answer.outcome, Outcome::locked);
+  EXPECT_EQ(answer.free_until, scene.end);
+}
+
+/// In the drawn pose all bodies are where they are drawn.
+TEST(MechanismFile, BeginsAsDrawn) {
+  for (const BodyPose& pose : poses_at(parse_scene(four_bar()), 0)) {
+    EXPECT_NEAR(pose.origin.x, 0, 1e-13);
+    EXPECT_NEAR(pose.origin.y, 0, 1e-13);
+    EXPECT_NEAR(pose.axis.y, 0, 1e-15);
+  }
+}
+
+TEST(MechanismFile, RefusesQuestionsBeforeItIsAssembled) {
+  Scene scene = parse_scene(four_bar());
+  for (Body& body : scene.bodies) {
+    body.motion = {};
+    body.relative_to.clear();
+  }
+  scene.assembly = nullptr;
+  EXPECT_THROW(check(scene), InputError);
+  EXPECT_EQ(check(assembled(scene)).outcome, check(parse_scene(four_bar())).outcome);
+}
+
+}  // namespace
+}  // namespace taut::testing
