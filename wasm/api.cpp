@@ -35,7 +35,7 @@ EMSCRIPTEN_KEEPALIVE const char* taut_ask(const char* question, const char* scen
   proof_log.clear();
   try {
     const Question asked{question, options, std::string(log, static_cast<std::size_t>(log_size))};
-    Reply reply = asked.name == "envelope" ? ask(asked, parse_linkage(scene)) : ask(asked, parse_scene(scene));
+    Reply reply = asks_about_linkage(asked.name) ? ask(asked, parse_linkage(scene)) : ask(asked, parse_scene(scene));
     api_result = std::move(reply.json);
     proof_log = std::move(reply.log);
   } catch (const InputError& e) {
@@ -50,7 +50,13 @@ EMSCRIPTEN_KEEPALIVE const char* taut_ask(const char* question, const char* scen
   return api_result.c_str();
 }
 
-/// The log of the last question, if it was "prove".
+/// question_descriptions(), valid until the next call: the package's functions and types are made from it.
+EMSCRIPTEN_KEEPALIVE const char* taut_questions() {
+  api_result = question_descriptions();
+  return api_result.c_str();
+}
+
+/// The log of the last question, if that writes one.
 EMSCRIPTEN_KEEPALIVE const char* taut_log() { return proof_log.data(); }
 EMSCRIPTEN_KEEPALIVE int taut_log_size() { return static_cast<int>(proof_log.size()); }
 

@@ -133,9 +133,7 @@ void add_clearance(const Command& app, Action& action) {
       .value("X");
   const auto pairs = [arguments](const std::string& which) { arguments->options.all_pairs = which == "all"; };
   command.add_choice("--pairs", {"first", "all"}, pairs, "first: the pair that comes closest; all: every pair");
-  command.add_option("--max-seconds", arguments->options.limits.max_seconds, "give up after S seconds")
-      .value("S")
-      .not_negative();
+  add_max_seconds(command, arguments->options.limits);
   const Option profile =
       command
           .add_option("--profile", arguments->profile.instants,

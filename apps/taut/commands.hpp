@@ -19,26 +19,19 @@ enum ExitCode : int {
 /// Set to the chosen subcommand's work while the command line is parsed, run afterwards.
 using Action = std::function<int()>;
 
-void add_check(const Command& app, Action& action);
-void add_trace(const Command& app, Action& action);
-void add_prove(const Command& app, Action& action);
-void add_verify(const Command& app, Action& action);
-void add_draw(const Command& app, Action& action);
-void add_view(const Command& app, Action& action);
-void add_clearance(const Command& app, Action& action);
-void add_intervals(const Command& app, Action& action);
-void add_range(const Command& app, Action& action);
-void add_separate(const Command& app, Action& action);
-void add_envelope(const Command& app, Action& action);
-void add_cells(const Command& app, Action& action);
-void add_flatten(const Command& app, Action& action);
-void add_separator(const Command& app, Action& action);
-void add_schema(const Command& app, Action& action);
 /// `program`: how it was called, argv[0].
 void add_demo(const Command& app, Action& action, const std::string& program);
-void add_completion(const Command& app, Action& action);
-void add_man(const Command& app, Action& action);
-void add_gen(const Command& app, Action& action);
-void add_import(const Command& app, Action& action);
+
+/// Adds the subcommand of that name.
+using AddCommand = void(const Command& app, Action& action);
+AddCommand add_check, add_clearance, add_intervals, add_range, add_prove, add_verify, add_draw, add_view, add_trace,
+    add_separate, add_envelope, add_separator, add_cells, add_flatten, add_gen, add_import, add_schema, add_completion,
+    add_man;
+
+/// In the order in which `taut --help` lists them, after demo.
+inline constexpr AddCommand* commands[] = {add_check,    add_clearance, add_intervals,  add_range,   add_prove,
+                                           add_verify,   add_draw,      add_view,       add_trace,   add_separate,
+                                           add_envelope, add_separator, add_cells,      add_flatten, add_gen,
+                                           add_import,   add_schema,    add_completion, add_man};
 
 }  // namespace taut::cli

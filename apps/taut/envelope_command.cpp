@@ -99,9 +99,7 @@ void add_envelope(const Command& app, Action& action) {
                   "write a page to FILE that shows the bodies at the combination under the pointer")
       .value("FILE");
   command.add_option("--template", arguments->template_path, "with --html: the page to fill in").value("FILE");
-  command.add_option("--max-seconds", arguments->options.limits.max_seconds, "stop dividing after S seconds")
-      .value("S")
-      .not_negative();
+  add_max_seconds(command, arguments->options.limits);
   command.add_flag("--json", arguments->json, "print one JSON object");
   command.add_flag("--cells", arguments->cells, "with --json: the whole partition, too");
   command.footer(

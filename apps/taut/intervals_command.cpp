@@ -127,9 +127,7 @@ int run_range(const IntervalArguments& arguments) {
 void add_question(const Command& command, IntervalArguments& arguments) {
   add_asked_scene(command, arguments.scene);
   add_touch(command, arguments.options.touch);
-  command.add_option("--max-seconds", arguments.options.limits.max_seconds, "give up after S seconds")
-      .value("S")
-      .not_negative();
+  add_max_seconds(command, arguments.options.limits);
   command.add_flag("--json", arguments.json, "print one JSON object");
 }
 

@@ -31,29 +31,9 @@ void require_known_command(const taut::cli::Command& taut, int argc, char** argv
                          near.empty() ? "see `taut --help`" : fmt::format("did you mean `taut {}`?", near));
 }
 
-/// In the order in which `taut --help` lists them.
 void add_commands(const taut::cli::Command& app, taut::cli::Action& action, const char* program_name) {
-  using namespace taut::cli;
-  add_demo(app, action, program_name);
-  add_check(app, action);
-  add_clearance(app, action);
-  add_intervals(app, action);
-  add_range(app, action);
-  add_prove(app, action);
-  add_verify(app, action);
-  add_draw(app, action);
-  add_view(app, action);
-  add_trace(app, action);
-  add_separate(app, action);
-  add_envelope(app, action);
-  add_separator(app, action);
-  add_cells(app, action);
-  add_flatten(app, action);
-  add_gen(app, action);
-  add_import(app, action);
-  add_schema(app, action);
-  add_completion(app, action);
-  add_man(app, action);
+  taut::cli::add_demo(app, action, program_name);
+  for (taut::cli::AddCommand* add : taut::cli::commands) add(app, action);
 }
 
 }  // namespace

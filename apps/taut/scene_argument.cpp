@@ -32,11 +32,15 @@ void add_engine(const Command& command, EngineChoice& engine) {
                      "each pair (default; kinetic where events are limited)");
 }
 
-void add_limits(const Command& command, CheckOptions& options) {
-  command.add_option("--max-events", options.max_events, "give up (undecided) after N events").value("N");
-  command.add_option("--max-seconds", options.limits.max_seconds, "give up (undecided) after S seconds")
+void add_max_seconds(const Command& command, Limits& limits) {
+  command.add_option("--max-seconds", limits.max_seconds, "give up (undecided) after S seconds")
       .value("S")
       .not_negative();
+}
+
+void add_limits(const Command& command, CheckOptions& options) {
+  command.add_option("--max-events", options.max_events, "give up (undecided) after N events").value("N");
+  add_max_seconds(command, options.limits);
 }
 
 void write_output(const std::string& path, const std::string& text) {

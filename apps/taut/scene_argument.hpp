@@ -15,6 +15,8 @@ namespace taut::cli {
 void add_touch(const Command& command, Touch& touch);
 /// Adds --engine kinetic|spacetime|both|either.
 void add_engine(const Command& command, EngineChoice& engine);
+/// Adds --max-seconds.
+void add_max_seconds(const Command& command, Limits& limits);
 /// Adds --max-events and --max-seconds.
 void add_limits(const Command& command, CheckOptions& options);
 

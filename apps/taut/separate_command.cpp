@@ -126,9 +126,7 @@ void add_separate(const Command& app, Action& action) {
                   "move bodies as far as S, in the scene's units (without: any distance)")
       .value("S")
       .positive();
-  command.add_option("--max-seconds", arguments->options.limits.max_seconds, "give up after S seconds")
-      .value("S")
-      .not_negative();
+  add_max_seconds(command, arguments->options.limits);
   command.add_flag("--json", arguments->json, "print one JSON object");
   command.add_option("--svg", arguments->svg, "draw the bodies with a rose for each to FILE (- is standard output)")
       .value("FILE");

@@ -16,7 +16,7 @@ struct Question {
   /// One of question_names().
   std::string name = {};
   /// A JSON object of options, by the names that the command line has: {"touch": "closed", "max_seconds": 5}. Which
-  /// ones a question takes is described in docs/questions.md; the defaults are those of the command.
+  /// ones a question takes question_descriptions() says; the defaults are those of the command.
   std::string options = "{}";
   /// For "verify": the log.
   std::string log = {};
@@ -26,7 +26,7 @@ struct Question {
 
 /// What ask() returns.
 struct Reply {
-  /// The answer, as the command prints it with `--json`; docs/schema/answer.schema.json describes it.
+  /// The answer, as the command prints it with `--json`: docs/answers.md.
   std::string json = {};
   /// Of "prove" and "prove_clearance": the log; empty where nothing is proved.
   std::string log = {};
@@ -37,11 +37,19 @@ struct Reply {
 /// "check", "clearance", "intervals", ..., in the order of the documentation.
 std::vector<std::string> question_names();
 
+/// All questions as a JSON array: each one's name, what it means, whether it is about a scene or a linkage, its options
+/// with their types, defaults and meanings, whether a log goes in or comes out, and the name of its answer's type in
+/// the npm package.
+std::string question_descriptions();
+
+/// Is the question of this name about a linkage, and not about a scene? False for a name that no question has.
+bool asks_about_linkage(const std::string& name);
+
 /// Answers a question about a scene. Throws InputError for a scene, a name or an option that is not valid, and
 /// UndecidedError or InternalError as the question's own function does.
 Reply ask(const Question& question, const Scene& scene);
 
-/// The same about a linkage: "envelope".
+/// The same about a linkage.
 Reply ask(const Question& question, const Linkage& linkage);
 
 }  // namespace taut

@@ -170,4 +170,7 @@ struct Answer {
 /// Throws InputError if the scene is not valid; EngineDisagreement with EngineChoice::both.
 Answer check(const Scene& scene, const CheckOptions& options = {});
 
+/// The JSON object of `taut check --json` (see the README), on one line, without a line break.
+std::string answer_json(const Scene& scene, const Answer& answer, Touch touch);
+
 }  // namespace taut

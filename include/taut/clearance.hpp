@@ -151,4 +151,23 @@ struct ProfileOptions {
 /// InputError.
 DistanceProfile distance_profile(const Scene& scene, const ProfileOptions& options = {});
 
+/// The answer of clearance() as `taut clearance --json` prints it.
+std::string clearance_json(const Scene& scene, const Clearance& answer);
+/// The bodies where they are closest, in SVG, with the closest points and their distance; where nothing was found, at
+/// the start.
+std::string clearance_svg(const Scene& scene, const Clearance& answer, int width = 800);
+/// The answer of check_clearance() as `taut check --clearance C --json` prints it. `touch` is what was asked.
+std::string margin_json(const Scene& scene, double clearance, const MarginAnswer& answer, Touch touch);
+/// The bodies where they first come closer, in SVG, with the points that do; at the start, if they keep the clearance.
+std::string margin_svg(const Scene& scene, double clearance, const MarginAnswer& answer, int width = 800);
+/// The answer of distance_profile() as `taut clearance --profile N --json` prints it.
+std::string profile_json(const Scene& scene, const DistanceProfile& answer);
+/// As comma-separated values, a line for each instant of each curve: first, second (the pair; empty for the least
+/// distance of all pairs), t, lo, hi, and the bracket from there to the next instant, until_lo and until_hi, which are
+/// empty at the end.
+std::string profile_csv(const Scene& scene, const DistanceProfile& answer);
+/// The curves as a plot in SVG, a panel for each: the distance over time, and between instants the box in which it
+/// certainly stays.
+std::string profile_svg(const Scene& scene, const DistanceProfile& answer, int width = 800);
+
 }  // namespace taut

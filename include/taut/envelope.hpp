@@ -106,4 +106,9 @@ void validate(const Linkage& linkage);
 /// The bodies where these joint values put them, at rest, as a scene with time [0, 0].
 Scene posed(const Linkage& linkage, const std::array<double, max_joints>& values);
 
+/// The answer of envelope() as `taut envelope --json` prints it; `cells`: with the whole partition.
+std::string envelope_json(const Linkage& linkage, const Envelope& answer, double tolerance, bool cells);
+/// All combinations as an SVG picture, of one or two joints. Throws InputError if there are more.
+std::string envelope_svg(const Linkage& linkage, const Envelope& answer, int width = 720);
+
 }  // namespace taut

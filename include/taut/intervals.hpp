@@ -55,4 +55,14 @@ struct Range {
 /// is not within the scene's time, or bodies overlap then.
 Range range(const Scene& scene, double t, const CheckOptions& options = {});
 
+/// The answer of intervals() as `taut intervals --json` prints it.
+std::string intervals_json(const Scene& scene, const Intervals& answer, Touch touch);
+/// The answer of intervals() as a chart in SVG, a lane for each pair that overlaps or is undecided: bars of overlap
+/// over time, hatched where nothing is claimed.
+std::string intervals_svg(const Scene& scene, const Intervals& answer, Touch touch, int width = 800);
+/// The answer of range(scene, from) as `taut range --json` prints it.
+std::string range_json(const Scene& scene, double from, const Range& answer, Touch touch);
+/// The answer of range(scene, from) as a chart in SVG: the interval along the scene's time, and what ends it.
+std::string range_svg(const Scene& scene, double from, const Range& answer, int width = 800);
+
 }  // namespace taut

@@ -1,4 +1,4 @@
-// Reading scenes and outlines, writing answers and pictures.
+// Reading scenes and outlines, writing scenes and pictures of them.
 #pragma once
 
 #include <array>
@@ -9,13 +9,9 @@
 #include <vector>
 
 #include "taut/check.hpp"
-#include "taut/clearance.hpp"
 #include "taut/envelope.hpp"
-#include "taut/intervals.hpp"
 #include "taut/motions.hpp"
-#include "taut/proof.hpp"
 #include "taut/scene.hpp"
-#include "taut/separate.hpp"
 #include "taut/simulation.hpp"
 
 namespace taut {
@@ -75,9 +71,6 @@ Polygon parse_geojson(const std::string& text, const std::string& name = "outlin
 /// t must be there), then a line of numbers for each keyframe, in order of time. Fields are separated by commas; spaces
 /// around them and blank lines are skipped.
 std::vector<Keyframe> read_keyframes_csv(const std::string& path, const ReadLimits& limits = {});
-
-/// The JSON object of `taut check --json` (see the README), on one line, without a line break.
-std::string answer_json(const Scene& scene, const Answer& answer, Touch touch);
 
 /// A line to draw over a picture.
 struct DrawnPath {
@@ -172,51 +165,6 @@ struct WorldAnimateOptions {
 /// The same as a picture that moves, without script, from the scene's start to `end` at an even pace, then from the
 /// beginning. Who prefers reduced motion sees the last frame.
 std::string animate_world_svg(const Scene& scene, double end, const WorldAnimateOptions& options = {});
-
-/// The answer of intervals() as `taut intervals --json` prints it.
-std::string intervals_json(const Scene& scene, const Intervals& answer, Touch touch);
-/// The same as a chart in SVG: the interval along the scene's time, and what ends it.
-std::string range_svg(const Scene& scene, double from, const Range& answer, int width = 800);
-/// The answer of range(scene, from) as `taut range --json` prints it.
-std::string range_json(const Scene& scene, double from, const Range& answer, Touch touch);
-
-/// What verify() returned, as `taut verify --json` prints it.
-std::string verified_json(const Scene& scene, const Verified& verified);
-/// The same where verify() returned nothing. `refuted`: by ProofError; else it was stopped.
-std::string unverified_json(bool refuted, const std::string& reason);
-
-/// The answer of check_clearance() as `taut check --clearance C --json` prints it. `touch` is what was asked.
-std::string margin_json(const Scene& scene, double clearance, const MarginAnswer& answer, Touch touch);
-/// The bodies where they first come closer, in SVG, with the points that do; at the start, if they keep the clearance.
-std::string margin_svg(const Scene& scene, double clearance, const MarginAnswer& answer, int width = 800);
-
-/// The answer of envelope() as `taut envelope --json` prints it; `cells`: with the whole partition.
-std::string envelope_json(const Linkage& linkage, const Envelope& answer, double tolerance, bool cells);
-/// All combinations as an SVG picture, of one or two joints. Throws InputError if there are more.
-std::string envelope_svg(const Linkage& linkage, const Envelope& answer, int width = 720);
-
-/// The answer of separate() as `taut separate --json` prints it.
-std::string separation_json(const Scene& scene, const Separation& answer);
-/// The bodies as they stand at the start, each with a rose of the directions in which it can leave: in SVG.
-std::string separation_svg(const Scene& scene, const Separation& answer, int width = 800);
-
-/// The answer of clearance() as `taut clearance --json` prints it.
-std::string clearance_json(const Scene& scene, const Clearance& answer);
-/// The bodies where they are closest, in SVG, with the closest points and their distance; where nothing was found, at
-/// the start.
-std::string clearance_svg(const Scene& scene, const Clearance& answer, int width = 800);
-/// The answer of distance_profile() as `taut clearance --profile N --json` prints it.
-std::string profile_json(const Scene& scene, const DistanceProfile& answer);
-/// As comma-separated values, a line for each instant of each curve: first, second (the pair; empty for the least
-/// distance of all pairs), t, lo, hi, and the bracket from there to the next instant, until_lo and until_hi, which are
-/// empty at the end.
-std::string profile_csv(const Scene& scene, const DistanceProfile& answer);
-/// The curves as a plot in SVG, a panel for each: the distance over time, and between instants the box in which it
-/// certainly stays.
-std::string profile_svg(const Scene& scene, const DistanceProfile& answer, int width = 800);
-/// The answer of intervals() as a chart in SVG, a lane for each pair that overlaps or is undecided: bars of overlap
-/// over time, hatched where nothing is claimed.
-std::string intervals_svg(const Scene& scene, const Intervals& answer, Touch touch, int width = 800);
 
 /// Writes the whole text or nothing: to a temporary file next to `path`, then renamed. Throws InputError.
 void write_file(const std::string& path, const std::string& text);

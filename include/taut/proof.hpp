@@ -98,4 +98,9 @@ Fingerprint scene_fingerprint(const Scene& scene, Touch touch);
 /// In 64 hexadecimal digits.
 std::string to_hex(const Fingerprint& fingerprint);
 
+/// What verify() returned, as `taut verify --json` prints it.
+std::string verified_json(const Scene& scene, const Verified& verified);
+/// The same where verify() returned nothing. `refuted`: by ProofError; else it was stopped.
+std::string unverified_json(bool refuted, const std::string& reason);
+
 }  // namespace taut

@@ -94,4 +94,9 @@ struct SeparateOptions {
 /// touch is free. Throws InputError.
 Separation separate(const Scene& scene, const SeparateOptions& options = {});
 
+/// The answer of separate() as `taut separate --json` prints it.
+std::string separation_json(const Scene& scene, const Separation& answer);
+/// The bodies as they stand at the start, each with a rose of the directions in which it can leave: in SVG.
+std::string separation_svg(const Scene& scene, const Separation& answer, int width = 800);
+
 }  // namespace taut

@@ -45,7 +45,7 @@
 //   taut/pose.hpp        where a body is at one instant, for drawing
 //   taut/feature.hpp     how bodies, vertices and edges are named
 //   taut/validate.hpp    is the input valid?
-//   taut/io.hpp          scene files, outlines, answers as JSON, pictures
+//   taut/io.hpp          scene files, outlines, pictures of scenes
 //   taut/error.hpp       everything that is thrown
 //
 // From the paper

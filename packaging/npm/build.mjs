@@ -1,10 +1,12 @@
 // The npm package in three forms (ES module, CommonJS, script with a global `taut`), the WebAssembly inside.
 // usage: node build.mjs FOLDER_WITH_TAUT_API OUT_FOLDER
-import { cp, mkdir, readFile, rm } from "node:fs/promises";
+import { cp, mkdir, readFile, rm, writeFile } from "node:fs/promises";
 import { createRequire } from "node:module";
 import { dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import { gzipSync } from "node:zlib";
+
+import { declarationsOf, functionsOf, questionsOf } from "./functions.mjs";
 
 const here = dirname(fileURLToPath(import.meta.url));
 const [built, out] = process.argv.slice(2);
@@ -15,16 +17,21 @@ const { build } = createRequire(join(here, "../../web/package.json"))("esbuild")
 const modules = {
   name: "taut",
   setup(setup) {
-    setup.onResolve({ filter: /^taut-module$/ }, () => ({ path: resolve(built, "taut_api.js") }));
+    setup.onResolve({ filter: /^taut-module$/ }, () => ({
+      path: resolve(built, "taut_api.js"),
+    }));
     // A quarter of the size, three times.
     setup.onLoad({ filter: /\.wasm$/ }, async ({ path }) => ({
       contents: gzipSync(await readFile(path), { level: 9 }),
       loader: "binary",
     }));
-    setup.onResolve({ filter: /^taut-wasm$/ }, () => ({ path: resolve(built, "taut_api.wasm") }));
+    setup.onResolve({ filter: /^taut-wasm$/ }, () => ({
+      path: resolve(built, "taut_api.wasm"),
+    }));
   },
 };
 
+const questions = await questionsOf(built);
 await rm(out, { recursive: true, force: true });
 await mkdir(join(out, "dist"), { recursive: true });
 for (const [format, file] of [
@@ -33,7 +40,11 @@ for (const [format, file] of [
   ["iife", "taut.global.js"],
 ]) {
   await build({
-    entryPoints: [join(here, "src/taut.js")],
+    stdin: {
+      contents: functionsOf(questions),
+      resolveDir: join(here, "src"),
+      sourcefile: "taut.js",
+    },
     outfile: join(out, "dist", file),
     bundle: true,
     minify: true,
@@ -48,7 +59,8 @@ for (const [format, file] of [
   });
 }
 for (const file of ["package.json", "README.md"]) await cp(join(here, file), join(out, file));
-await cp(join(here, "src/taut.d.ts"), join(out, "dist/taut.d.ts"));
+const answers = await readFile(join(here, "src/answers.d.ts"), "utf8");
+await writeFile(join(out, "dist/taut.d.ts"), answers + declarationsOf(questions));
 await cp(join(here, "../../LICENSE"), join(out, "LICENSE"));
 const { version } = JSON.parse(await readFile(join(here, "package.json"), "utf8"));
 const cmake = await readFile(join(here, "../../CMakeLists.txt"), "utf8");

@@ -23,7 +23,7 @@ py::tuple ask(const SceneText& text, const std::string& question, const std::str
   taut::Question asked{question, options, log};
   const taut::Reply reply = attended<taut::Reply>([&](const std::atomic<bool>& stop) {
     asked.stop = &stop;
-    return question == "envelope" ? taut::ask(asked, text.read_linkage()) : taut::ask(asked, text.read());
+    return taut::asks_about_linkage(question) ? taut::ask(asked, text.read_linkage()) : taut::ask(asked, text.read());
   });
   return py::make_tuple(reply.json, py::bytes(reply.log), reply.scene_sha256);
 }
@@ -57,6 +57,7 @@ void bind_questions(py::module_& module) {
   py::class_<RunOptions>(module, "RunOptions")
       .def(py::init<std::string, std::string, std::string, std::optional<double>, std::optional<std::uint64_t>>());
   module.def("ask", &ask);
+  module.def("questions", &taut::question_descriptions);
   module.def("read_linkage", &read_linkage_form);
   module.def("validate", &validate);
   module.def("read", &read_form);

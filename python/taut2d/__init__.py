@@ -30,28 +30,26 @@ Errors are TautError; InputError, with place, problem and hint, is a ValueError 
 moments. Functions may be called from several threads, which then run at the same time.
 """
 
-from . import _taut2d
+from . import _taut2d, directions, linkages, margins, questions
 from .answers import (Answer, Contact, Coverage, EdgeRef, Geometry, PairAnswer, Proof, ProvedCloseness, Verified,
                       VertexRef)
-from .asking import (check, check_clearance, clearance, distance_profile, intervals, prove, prove_clearance, separate,
-                     verify)
-# Not in __all__: `from taut2d import *` must leave Python's own range() alone.
-from .asking import range as range
+from .asking import check, prove, verify
 from .cells import Cells, cells
-from .directions import BodyDirections, DirectionArc, RemovalStep, Separation, VertexAtEdge
+from .directions import *
 from .drawings import Crossing, Drawing, DrawingBody, DrawingFile, Gap, OpenLine, Repair, Skipped, read_drawing
 from .errors import InputError, InternalError, TautError, UndecidedError
 from .flattening import flatten
-from .linkages import Envelope, EnvelopeCell, EnvelopeWitness, Linkage, envelope
+from .linkages import *
 from .many import Outcome, answer_dtype, check_many
 from .maps import Mover, StaticMap
-from .margins import MarginAnswer, MarginProof, PairMargin
+from .margins import *
 from .motions import (Angle, Arc, Cosine, CsvKeyframes, Direction, HalfAngleTangent, Keyframe, Keyframes, Orbit, Pieces,
                       Polynomial, Revolute, Slide, Sweep, Turn, Velocity)
 from .parts import GeojsonFile, Part, Path, WktFile
 from .pictures import Pose
-from .questions import (Clearance, DistanceCurve, DistanceProfile, Intervals, Meeting, NearestPoints, OverlapInterval,
-                        Range)
+from .questions import *
+# Not in __all__: `from taut2d import *` must leave Python's own range() alone.
+from .questions import range as range
 from .scene import Body, Scene
 from .shape import Shape
 from .simulations import Simulation, Tiling, TilingEdge, TilingFace
@@ -59,18 +57,20 @@ from .sweeps import SweepAnswers, sweep
 from .variants import KeyframeRows, VelocityRows
 from .viewer import Viewer
 
+# A module that is imported by a star lists its own names.
 __all__ = [
-    "Angle", "Answer", "Arc", "Body", "BodyDirections", "Cells", "Clearance", "Contact", "Cosine", "Coverage",
-    "Crossing", "CsvKeyframes", "Direction", "DirectionArc", "DistanceCurve", "DistanceProfile", "Drawing",
-    "DrawingBody", "DrawingFile", "EdgeRef", "Envelope", "EnvelopeCell", "EnvelopeWitness", "Gap", "GeojsonFile",
-    "Geometry", "HalfAngleTangent", "InputError", "InternalError", "Intervals", "Keyframe", "KeyframeRows", "Keyframes",
-    "Linkage", "MarginAnswer", "MarginProof", "Meeting", "Mover", "NearestPoints", "OpenLine", "Orbit", "Outcome",
-    "OverlapInterval", "PairAnswer", "PairMargin", "Part", "Path", "Pieces", "Polynomial", "Pose", "Proof",
-    "ProvedCloseness", "Range", "RemovalStep", "Repair", "Revolute", "Scene", "Separation", "Shape", "Simulation",
-    "Skipped", "Slide", "StaticMap", "Sweep", "SweepAnswers", "TautError", "Tiling", "TilingEdge", "TilingFace", "Turn",
-    "UndecidedError", "Velocity", "VelocityRows", "Verified", "VertexAtEdge", "VertexRef", "Viewer", "WktFile",
-    "answer_dtype", "cells", "check", "check_clearance", "check_many", "clearance", "distance_profile", "envelope",
-    "flatten", "intervals", "prove", "prove_clearance", "read_drawing", "separate", "sweep", "verify",
+    "Angle", "Answer", "Arc", "Body", "Cells", "Contact", "Cosine", "Coverage", "Crossing", "CsvKeyframes",
+    "Direction", "Drawing", "DrawingBody", "DrawingFile", "EdgeRef", "Gap", "GeojsonFile", "Geometry",
+    "HalfAngleTangent", "InputError", "InternalError", "Keyframe", "KeyframeRows", "Keyframes", "Mover", "OpenLine",
+    "Orbit", "Outcome", "PairAnswer", "Part", "Path", "Pieces", "Polynomial", "Pose", "Proof", "ProvedCloseness",
+    "Repair", "Revolute", "Scene", "Shape", "Simulation", "Skipped", "Slide", "StaticMap", "Sweep", "SweepAnswers",
+    "TautError", "Tiling", "TilingEdge", "TilingFace", "Turn", "UndecidedError", "Velocity", "VelocityRows",
+    "Verified", "VertexRef", "Viewer", "WktFile", "answer_dtype", "cells", "check", "check_many", "flatten",
+    "prove", "read_drawing", "sweep", "verify",
 ]
+__all__ += directions.__all__
+__all__ += linkages.__all__
+__all__ += margins.__all__
+__all__ += questions.__all__
 
 __version__: str = _taut2d.version()

@@ -1,4 +1,4 @@
-"""The answer to how bodies come apart."""
+"""How bodies come apart: the question and its answer."""
 
 from __future__ import annotations
 
@@ -8,7 +8,11 @@ from typing import Any, Optional
 
 from ._verdict import Verdict, counted, names
 from .answers import Coverage, EdgeRef, Interval, VertexRef, _floats
+from .options import ask, scene_text
+from .scene import Scene, _plain_places
 from .words import SeparationOutcome
+
+__all__ = ["BodyDirections", "DirectionArc", "RemovalStep", "Separation", "VertexAtEdge", "separate"]
 
 
 @dataclass(frozen=True)
@@ -118,3 +122,15 @@ def separation_from_json(text: str) -> Separation:
     return Separation(value["outcome"], tuple(map(_directions, bodies)), tuple(map(_step, value.get("order", ()))),
                       tuple(value.get("stuck", ())), None if pair is None else tuple(pair), value.get("reason"),
                       Coverage(**value["coverage"]), text, value.get("wide"))
+
+
+def separate(scene: Scene, *, travel: Optional[float] = None, max_seconds: Optional[float] = None) -> Separation:
+    """In which directions bodies come apart, and in which order an assembly does.
+
+    Bodies stand as at the start of the scene's time; each is moved straight, without turning, as far as ``travel``
+    (in the scene's units, > 0; None: any distance), and must overlap nothing on the way, where touching is allowed, at
+    the travel's end, too. Of two bodies, the second one moves. Errors are those of check().
+    """
+    with _plain_places():
+        answer, _, _ = ask("separate", scene_text(scene), travel=travel, max_seconds=max_seconds)
+        return separation_from_json(answer)

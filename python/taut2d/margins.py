@@ -1,4 +1,4 @@
-"""The answer to whether bodies keep a clearance."""
+"""Whether bodies keep a clearance: the question, its answer, and its proof."""
 
 from __future__ import annotations
 
@@ -6,9 +6,14 @@ import json
 from dataclasses import dataclass, field
 from typing import Any, Optional
 
+from ._numbers import number
 from ._verdict import Undivided, Verdict, instant, names
 from .answers import Coverage, EdgeRef, Interval, Point, VertexRef, _floats, _pair
-from .words import MarginOutcome
+from .options import ask, scene_text
+from .scene import Scene, _plain_places
+from .words import MarginOutcome, Pairs, Touch
+
+__all__ = ["MarginAnswer", "MarginProof", "PairMargin", "check_clearance", "prove_clearance"]
 
 
 @dataclass(frozen=True)
@@ -112,3 +117,28 @@ def margin_from_json(text: str) -> MarginAnswer:
     return MarginAnswer(value["outcome"], float(value["clearance"]), None if first is None else _margin(first),
                         tuple(map(_margin, value.get("also", ()))), tuple(map(_margin, value.get("pairs", ()))),
                         value.get("reason"), Coverage(**value["coverage"]), text)
+
+
+def check_clearance(scene: Scene, clearance: float, *, touch: Touch = "open", pairs: Pairs = "first",
+                    max_seconds: Optional[float] = None) -> MarginAnswer:
+    """Do all bodies keep this distance, in the scene's units, and if not, when and where do they first come closer?
+
+    ``clearance`` must be positive. ``touch``: bodies that come to the clearance and no closer, or stay at it, are free
+    if it is "open", and in contact if it is "closed". ``pairs``: "first": up to the first pair that comes closer; "all":
+    each pair on its own, in MarginAnswer.pairs. "free" is proved, and so is the time of a contact. Errors are those of
+    check().
+    """
+    with _plain_places():
+        answer, _, _ = ask("check_clearance", scene_text(scene), clearance=number(clearance, "clearance"), touch=touch,
+                           pairs=pairs, max_seconds=max_seconds)
+        return margin_from_json(answer)
+
+
+def prove_clearance(scene: Scene, clearance: float, *, touch: Touch = "open",
+                    max_seconds: Optional[float] = None) -> MarginProof:
+    """As check_clearance(), with a log that proves the answer, in memory. Options and errors are those of
+    check_clearance()."""
+    with _plain_places():
+        answer, log, name = ask("prove_clearance", scene_text(scene), clearance=number(clearance, "clearance"),
+                                touch=touch, max_seconds=max_seconds)
+    return MarginProof(margin_from_json(answer), log, name)

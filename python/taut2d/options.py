@@ -59,18 +59,30 @@ def run_options(touch: Touch, engine: Engine, pairs: Pairs, max_seconds: Optiona
                               _events(max_events))
 
 
-_checked: dict[str, Callable[[Any], Any]] = {
-    "max_seconds": seconds, "max_events": _events, "fit": _fit,
-    "travel": lambda value: None if value is None else number(value, "travel"), "instants": int, "cells": bool,
-    "touch": lambda value: _word(value, "touch"), "engine": lambda value: _word(value, "engine"),
-    "pairs": lambda value: _word(value, "pairs"),
+# The questions as the library describes them: each one's options by their names.
+_questions: dict[str, dict[str, dict[str, Any]]] = {
+    entry["name"]: {option["name"]: option for option in entry["options"]} for entry in json.loads(_taut2d.questions())
 }
+_by_type: dict[str, Callable[[Any, str], Any]] = {
+    "number": number, "whole number": lambda value, _: int(value), "flag": lambda value, _: bool(value), "word": _word,
+}
+# Options that Python takes in more forms, or fewer.
+_by_name: dict[str, Callable[[Any], Any]] = {"max_seconds": seconds, "max_events": _events, "fit": _fit}
+
+
+def _checked(option: dict[str, Any], value: Any) -> Any:
+    name = option["name"]
+    if name in _by_name:
+        return _by_name[name](value)
+    # None stands for no limit.
+    is_limit = option["type"] == "number" and not option["required"] and "default" not in option
+    return None if value is None and is_limit else _by_type[option["type"]](value, name)
 
 
 def ask(name: str, text: _taut2d.SceneText, *, log: bytes = b"", **options: Any) -> tuple[str, bytes, str]:
     """One question to the library: the answer as JSON, and of a proof its log and the name of its scene. Options that are
-    None are left out; the others are numbers unless they have a form of their own."""
-    checked = {key: _checked[key](value) if key in _checked else number(value, key) for key, value in options.items()}
+    None are left out."""
+    checked = {key: _checked(_questions[name][key], value) for key, value in options.items()}
     return _taut2d.ask(text, name, json.dumps({key: value for key, value in checked.items() if value is not None}), log)
 
 

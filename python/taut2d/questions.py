@@ -1,4 +1,4 @@
-"""The answers to questions beyond the first contact."""
+"""How close bodies come, and when they overlap: the questions and their answers."""
 
 from __future__ import annotations
 
@@ -6,9 +6,17 @@ import json
 from dataclasses import dataclass, field
 from typing import Any, Optional
 
+from ._numbers import number
 from ._verdict import Verdict, bodies_text, bracket, counted, instant, names
 from .answers import Coverage, EdgeRef, Interval, PairAnswer, Point, VertexRef, _floats, _pair, _pair_answer
-from .words import QuestionOutcome, RangeOutcome
+from .errors import InputError
+from .options import ask, scene_text
+from .scene import Scene, _plain_places
+from .words import Pairs, QuestionOutcome, RangeOutcome, Touch
+
+# Without range(): `from taut2d import *` must leave Python's own alone.
+__all__ = ["Clearance", "DistanceCurve", "DistanceProfile", "Intervals", "Meeting", "NearestPoints", "OverlapInterval", "Range",
+           "clearance", "distance_profile", "intervals"]
 
 
 @dataclass(frozen=True)
@@ -286,3 +294,55 @@ def profile_from_json(text: str) -> DistanceProfile:
     """What ``taut clearance --profile N --json`` has printed."""
     value = json.loads(text)
     return DistanceProfile(value["outcome"], tuple(map(_curve, value["profile"])), value.get("reason"), Coverage(**value["coverage"]), text)
+
+
+def intervals(scene: Scene, *, touch: Touch = "open", max_seconds: Optional[float] = None) -> Intervals:
+    """All maximal intervals of time in which bodies of the scene overlap, for each pair that is asked about.
+
+    ``touch``: with "open", an instant at which bodies only touch is no interval; with "closed" it is one.
+    ``max_seconds``: pairs that are not done by then are listed as undecided. Errors are those of check().
+    """
+    with _plain_places():
+        answer, _, _ = ask("intervals", scene_text(scene), touch=touch, max_seconds=max_seconds)
+        return intervals_from_json(answer)
+
+
+def range(scene: Scene, around: float, *, touch: Touch = "open", max_seconds: Optional[float] = None) -> Range:
+    """The maximal interval of time around an instant in which no two bodies that are asked about overlap.
+
+    Raises InputError if the instant is outside of the scene's time, or bodies overlap then; else as check().
+    """
+    with _plain_places():
+        at: dict[str, Any] = {"from": number(around, "around")}
+        answer, _, _ = ask("range", scene_text(scene), touch=touch, max_seconds=max_seconds, **at)
+        return range_from_json(answer)
+
+
+def clearance(scene: Scene, *, tolerance: float = 1e-9, pairs: Pairs = "first",
+              max_seconds: Optional[float] = None) -> Clearance:
+    """How close bodies come over the scene's time: a bracket that certainly holds the least distance of their closures.
+
+    ``tolerance``: how wide the bracket may be, as a share of it, and 1e-12 of the largest coordinate besides.
+    ``pairs``: "first": of the pair that comes closest; "all": of each pair, in Clearance.pairs. Errors are those of
+    check().
+    """
+    with _plain_places():
+        answer, _, _ = ask("clearance", scene_text(scene), tolerance=tolerance, pairs=pairs, max_seconds=max_seconds)
+        return clearance_from_json(answer)
+
+
+def distance_profile(scene: Scene, instants: int = 101, *, tolerance: float = 1e-9, pairs: Pairs = "first",
+                     max_seconds: Optional[float] = None) -> DistanceProfile:
+    """The distance of bodies over the scene's time, in brackets that are certain: at so many ``instants`` (2 to
+    1,000,000), evenly spaced, on the stretches between them, and of the greatest distance.
+
+    ``tolerance``: as of clearance(), for each bracket but the upper ends of the stretches', which are as good as these
+    are short. ``pairs``: "first": at each time the least distance of all pairs; "all": then each pair's, too. Errors are
+    those of check().
+    """
+    if not 2 <= instants <= 1000000:
+        raise InputError("instants", f"{instants} instants were asked for", "2 to 1000000 can be")
+    with _plain_places():
+        answer, _, _ = ask("distance_profile", scene_text(scene), instants=instants, tolerance=tolerance, pairs=pairs,
+                           max_seconds=max_seconds)
+        return profile_from_json(answer)

@@ -1,11 +1,14 @@
 """Questions beyond the first contact, against the command and closed forms."""
 
+import inspect
+import json
 import subprocess
 
 import pytest
 
 import taut2d
 from conftest import root
+from taut2d import _taut2d
 
 SCENES = [*sorted((root / "examples").glob("*.json")),
           *sorted(p for p in (root.parent / "shared" / "worlds").glob("*.json") if ".answer" not in p.name)]
@@ -164,3 +167,23 @@ def test_distance_profile(taut):
     assert world.json == printed_json and world.curves[0].pair is None and len(world.curves) > 2
     with pytest.raises(taut2d.InputError):
         taut2d.distance_profile(scene(), 1)
+
+
+def described(entry):
+    """The options that a question takes, and their defaults, as the library says."""
+    return {option["name"]: option["words"][0] if "words" in option else option.get("default") for option in entry["options"]}
+
+
+@pytest.mark.parametrize("entry", json.loads(_taut2d.questions()), ids=lambda entry: entry["name"])
+def test_functions_take_the_options_that_the_library_describes(entry):
+    parameters = list(inspect.signature(getattr(taut2d, entry["name"])).parameters.values())
+    assert parameters[0].name == entry["about"]
+    options = {parameter.name: parameter.default for parameter in parameters[1:] if parameter.name != "proof"}
+    if entry["name"] == "range":
+        options["from"] = options.pop("around")  # a word of Python's
+    expected = described(entry)
+    assert options.keys() == expected.keys()
+    for name, default in options.items():
+        # None stands for a default that means: not at all.
+        assert default in (None, False, inspect.Parameter.empty) or default == expected[name], name
+    assert any(parameter.name == "proof" for parameter in parameters) == entry["reads_log"]

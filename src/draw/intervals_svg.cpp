@@ -8,7 +8,7 @@
 #include "draw/svg_plot.hpp"
 #include "draw/svg_style.hpp"
 #include "io/number_text.hpp"
-#include "taut/io.hpp"
+#include "taut/intervals.hpp"
 #include "taut/motions.hpp"
 
 namespace taut {

@@ -7,7 +7,7 @@
 #include "draw/svg_plot.hpp"
 #include "draw/svg_style.hpp"
 #include "io/number_text.hpp"
-#include "taut/io.hpp"
+#include "taut/clearance.hpp"
 
 namespace taut {
 using namespace internal;

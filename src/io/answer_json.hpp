@@ -1,4 +1,4 @@
-// Answers as JSON, with the parts that taut/io.hpp leaves out.
+// Answers of check() as JSON, with the parts that taut/check.hpp leaves out.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@ struct AnswerTiming {
   double read = 0, build = 0, run = 0;
 };
 
-/// As answer_json() in taut/io.hpp, with a member "timing" if given.
+/// As answer_json() in taut/check.hpp, with a member "timing" if given.
 std::string answer_json(const Scene& scene, const Answer& answer, Touch touch,
                         const std::optional<AnswerTiming>& timing);
 

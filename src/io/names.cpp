@@ -1,5 +1,6 @@
 // How the public enumerations are called in answers and on the command line.
 #include "taut/check.hpp"
+#include "taut/envelope.hpp"
 #include "taut/separate.hpp"
 
 namespace taut {
@@ -36,6 +37,18 @@ const char* to_string(SeparationOutcome outcome) {
     case SeparationOutcome::untested:
       return "untested";
     case SeparationOutcome::undecided:
+      break;
+  }
+  return "undecided";
+}
+
+const char* to_string(CellState state) {
+  switch (state) {
+    case CellState::free:
+      return "free";
+    case CellState::colliding:
+      return "colliding";
+    case CellState::undecided:
       break;
   }
   return "undecided";

@@ -1,6 +1,6 @@
 // The distance of bodies over time, as comma-separated values.
 #include "io/number_text.hpp"
-#include "taut/io.hpp"
+#include "taut/clearance.hpp"
 
 namespace taut {
 using namespace internal;

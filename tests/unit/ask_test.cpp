@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 
@@ -113,6 +114,36 @@ TEST(Ask, RefusesCountsAndLimitsThatMakeNoSense) {
   expect_refused("clearance", R"({"tolerance": 1.5})", "tolerance");
   EXPECT_NO_THROW(json_of("check", R"({"max_events": 0})"));
   EXPECT_NO_THROW(json_of("check", R"({"max_events": 9007199254740992})"));
+}
+
+/// A value that the option takes, and one of another type.
+std::pair<std::string, std::string> values_of(const nlohmann::json& option) {
+  const std::string type = option["type"];
+  if (type == "word") return {option["words"].back().dump(), "7"};
+  if (type == "flag") return {"true", "7"};
+  return {type == "number" ? "0.125" : "5", "true"};
+}
+
+TEST(Ask, DescribesTheOptionsThatQuestionsTake) {
+  const auto questions = nlohmann::json::parse(question_descriptions());
+  EXPECT_EQ(questions.size(), question_names().size());
+  for (const auto& question : questions) {
+    const std::string name = question["name"];
+    EXPECT_EQ(asks_about_linkage(name), question["about"] == "linkage");
+    EXPECT_EQ(question["meaning"].get<std::string>().back(), question["name"] == "check_clearance" ? '?' : '.');
+    if (asks_about_linkage(name)) continue;
+    std::string all;
+    for (const auto& option : question["options"])
+      all += (all.empty() ? "" : ", ") + option["name"].dump() + ": " + values_of(option).first;
+    EXPECT_NO_THROW(json_of(name, "{" + all + "}")) << name << " " << all;
+    for (const auto& option : question["options"]) {
+      const std::string key = option["name"];
+      std::string others;
+      for (const auto& other : question["options"])
+        if (other != option) others += ", " + other["name"].dump() + ": " + values_of(other).first;
+      expect_refused(name, "{\"" + key + "\": " + values_of(option).second + others + "}", key);
+    }
+  }
 }
 
 TEST(Ask, NamesEveryQuestionOnce) {

@@ -5,6 +5,8 @@
 
 #include "draw/svg_plot.hpp"
 #include "io/number_text.hpp"
+#include "taut/clearance.hpp"
+#include "taut/intervals.hpp"
 #include "taut/io.hpp"
 
 namespace taut {

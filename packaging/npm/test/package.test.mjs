@@ -261,7 +261,7 @@ async function answersAbout(scene) {
   const add = async (type, work) => out.push([type, await work]);
   const [start] = scene.time;
   for (const options of [
-    { allPairs: true },
+    { pairs: "all" },
     { touch: "closed" },
     { engine: "kinetic", maxEvents: 1 },
     { maxSeconds: 0 },
@@ -275,13 +275,13 @@ async function answersAbout(scene) {
   out.push(["MarginAnswer", kept.answer]);
   if (kept.log) await add("Verified", taut.verify(scene, kept.log));
   for (const options of [{ maxSeconds: 5 }, { maxSeconds: 0 }]) {
-    await add("ClearanceAnswer", taut.clearance(scene, { allPairs: true, ...options }));
+    await add("ClearanceAnswer", taut.clearance(scene, { pairs: "all", ...options }));
     await add("IntervalsAnswer", taut.intervals(scene, options));
     // From an instant at which bodies overlap there is no range.
     if (answer.outcome !== "overlap_at_start") await add("RangeAnswer", taut.range(scene, start, options));
-    await add("MarginAnswer", taut.checkClearance(scene, 0.05, { allPairs: true, ...options }));
+    await add("MarginAnswer", taut.checkClearance(scene, 0.05, { pairs: "all", ...options }));
     await add("MarginAnswer", taut.checkClearance(scene, 3, options));
-    await add("ProfileAnswer", taut.distanceProfile(scene, { allPairs: true, instants: 3, ...options }));
+    await add("ProfileAnswer", taut.distanceProfile(scene, { pairs: "all", instants: 3, ...options }));
     await add("SeparationAnswer", taut.separate(scene, options));
   }
   await add("SeparationAnswer", taut.separate(scene, { maxSeconds: 5, travel: 2 }));

@@ -1,5 +1,5 @@
 // Scenes are as docs/scenes.md of taut has them, answers as `taut check --json` and the like print them: docs/answers.md and
-// docs/questions.md say more about each member.
+// docs/questions.md say more about each member. The functions and their options are appended by build.mjs.
 
 export type Point = readonly [number, number];
 
@@ -45,11 +45,23 @@ export interface KeyframedMotion {
 }
 /** Both are per unit of time; one of them is there. */
 export type SteadyMotion =
-  | { readonly velocity: Point; readonly spin_deg?: number; readonly pivot?: Point }
-  | { readonly velocity?: Point; readonly spin_deg: number; readonly pivot?: Point };
+  | {
+      readonly velocity: Point;
+      readonly spin_deg?: number;
+      readonly pivot?: Point;
+    }
+  | {
+      readonly velocity?: Point;
+      readonly spin_deg: number;
+      readonly pivot?: Point;
+    };
 /** An even turn over the scene's time; answers say at which angle. */
 export interface SweepMotion {
-  readonly sweep: { readonly pivot?: Point; readonly from_deg: number; readonly to_deg: number };
+  readonly sweep: {
+    readonly pivot?: Point;
+    readonly from_deg: number;
+    readonly to_deg: number;
+  };
 }
 /** Coefficients, the constant one first. */
 export type Polynomial = readonly number[];
@@ -114,18 +126,6 @@ export type Touch = "open" | "closed";
 export type Outcome = "free" | "contact" | "overlap_at_start" | "undecided" | "untested";
 /** Of checkClearance(). */
 export type MarginOutcome = Outcome | "closer_at_start";
-
-export interface Options {
-  /** What counts as a collision: overlap ("open", the default), or touching, too. */
-  touch?: Touch;
-  engine?: "kinetic" | "spacetime" | "both" | "either" | "usual";
-  /** Stop with "undecided" after so many seconds. */
-  maxSeconds?: number;
-  /** Stop with "undecided" after so many events of the kinetic engine. */
-  maxEvents?: number;
-  /** Every pair's own answer. */
-  allPairs?: boolean;
-}
 
 /** Which pairs an answer is about: `pairs` is the sum of the others, the last four of which were not tested. */
 export interface Coverage {
@@ -213,13 +213,18 @@ interface AnyAnswer extends Verdict {
   pair?: Pair;
   /** Other pairs that meet at the same time. */
   also?: PairAnswer[];
-  /** With allPairs: each tested pair's own. */
+  /** With pairs: "all": each tested pair's own. */
   pairs?: PairAnswer[];
   engine: "kinetic" | "spacetime" | "both";
   /** Of the kinetic engine, like the size of its active set. */
   events: number;
   certificates: { initial: number; max: number };
-  scope: { bodies: string[]; time: [number, number]; touch: Touch; at_rest?: "test" };
+  scope: {
+    bodies: string[];
+    time: [number, number];
+    touch: Touch;
+    at_rest?: "test";
+  };
 }
 export interface FreeAnswer extends AnyAnswer {
   outcome: "free";
@@ -258,7 +263,12 @@ export interface ValidProof {
   contact_at?: "start" | "joint" | "motion";
   /** Of a proof about a clearance. */
   clearance?: number;
-  closer?: { t: Bracket; vertex: Feature; edge?: Feature; other_vertex?: Feature };
+  closer?: {
+    t: Bracket;
+    vertex: Feature;
+    edge?: Feature;
+    other_vertex?: Feature;
+  };
   touch: Touch;
   events: number;
   separations: number;
@@ -289,7 +299,7 @@ export interface Nearest {
 export interface ClearanceAnswer extends Verdict {
   /** Null where nothing was decided. */
   clearance: Nearest | null;
-  /** With allPairs. */
+  /** With pairs: "all". */
   pairs?: Nearest[];
   /** Why the bracket is wider than was asked for. */
   wide?: string;
@@ -322,7 +332,12 @@ export interface IntervalsAnswer extends Verdict {
 
 export interface RangeAnswer extends Verdict {
   /** An end is null where it is the scene's own; all of it is null where there is none. */
-  range: { from: Bracket | null; to: Bracket | null; from_deg?: Bracket; to_deg?: Bracket } | null;
+  range: {
+    from: Bracket | null;
+    to: Bracket | null;
+    from_deg?: Bracket;
+    to_deg?: Bracket;
+  } | null;
   around: number;
   /** The overlaps that end the range. */
   before?: OverlapInterval;
@@ -356,7 +371,7 @@ export interface MarginAnswer extends Omit<Verdict, "outcome"> {
   /** Of `pair`. */
   first?: PairMargin;
   also?: PairMargin[];
-  /** With allPairs. */
+  /** With pairs: "all". */
   pairs?: PairMargin[];
   free_until?: number;
   scope: { time: [number, number]; touch: Touch };
@@ -366,7 +381,13 @@ export interface DistanceCurve {
   /** Null: the least distance of all pairs. */
   pair: Pair | null;
   /** `settled`: the bracket is as narrow as was asked for, or of curves, as can be; `wide`: why it is wider. */
-  largest: { lo: number; hi: number; t: number; settled: boolean; wide?: string };
+  largest: {
+    lo: number;
+    hi: number;
+    t: number;
+    settled: boolean;
+    wide?: string;
+  };
   /** Instant, and the bracket of the distance. */
   instants: [t: number, lo: number, hi: number][];
   /** From, to, and the bracket that the distance does not leave meanwhile. */
@@ -450,55 +471,6 @@ export interface EnvelopeAnswer {
   cells?: EnvelopeCell[];
   coverage: Coverage;
 }
-
-/** The first contact, or that there is none. Throws TautError if the scene is not valid, like all functions here. */
-export function check(scene: Scene, options?: Options): Promise<Answer>;
-/** The same with a proof, which is null where nothing was proved. */
-export function prove(scene: Scene, options?: Options): Promise<{ answer: Answer; log: Uint8Array | null }>;
-/** As checkClearance(), with a proof. */
-export function proveClearance(
-  scene: Scene,
-  clearance: number,
-  options?: Pick<Options, "touch" | "maxSeconds">,
-): Promise<{ answer: MarginAnswer; log: Uint8Array | null }>;
-/** Checks a proof, whoever made it. */
-export function verify(scene: Scene, log: Uint8Array, options?: Pick<Options, "maxSeconds">): Promise<Verified>;
-/** How close bodies come, as a certain bracket no wider than `tolerance` (1e-9) times the distance. */
-export function clearance(
-  scene: Scene,
-  options?: Pick<Options, "maxSeconds" | "allPairs"> & { tolerance?: number },
-): Promise<ClearanceAnswer>;
-/** All intervals of time in which bodies overlap. */
-export function intervals(scene: Scene, options?: Pick<Options, "touch" | "maxSeconds">): Promise<IntervalsAnswer>;
-/** How far the bodies can go from the instant `from` without overlapping, both ways. */
-export function range(
-  scene: Scene,
-  from: number,
-  options?: Pick<Options, "touch" | "maxSeconds">,
-): Promise<RangeAnswer>;
-
-/** Do bodies keep this distance, in the scene's units, and if not, when and where do they first come closer? */
-export function checkClearance(
-  scene: Scene,
-  clearance: number,
-  options?: Pick<Options, "touch" | "maxSeconds" | "allPairs">,
-): Promise<MarginAnswer>;
-/** The distance over time in certain brackets: at `instants` (101), between them, and the greatest. */
-export function distanceProfile(
-  scene: Scene,
-  options?: Pick<Options, "maxSeconds" | "allPairs"> & { tolerance?: number; instants?: number },
-): Promise<ProfileAnswer>;
-/** In which directions bodies come apart, and in which order; if need be, only by the distance `travel`. */
-export function separate(
-  scene: Scene,
-  options?: Pick<Options, "maxSeconds"> & { travel?: number },
-): Promise<SeparationAnswer>;
-/** For which combinations of the joints' values the bodies keep apart: `linkage` is a scene with "joints" instead of a
- * time. Cells shorter than the share `tolerance` (1e-3) of a joint's range are not divided any more. */
-export function envelope(
-  linkage: object | string,
-  options?: Pick<Options, "maxSeconds"> & { tolerance?: number; cells?: boolean },
-): Promise<EnvelopeAnswer>;
 
 /** What taut refuses, or cannot decide. */
 export class TautError extends Error {

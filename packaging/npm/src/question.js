@@ -1,4 +1,5 @@
-// The questions, each of which is one call into WebAssembly: a scene as JSON text goes in, an answer comes out.
+// A question is one call into WebAssembly: a scene as JSON text goes in, an answer comes out. build.mjs makes a function
+// of each that the library describes.
 import createModule from "taut-module";
 import compressed from "taut-wasm";
 
@@ -41,10 +42,10 @@ function readOut(module, at) {
   return new TextDecoder().decode(module.HEAPU8.subarray(at, end));
 }
 
-/** As the library spells options: maxSeconds is max_seconds there, and allPairs: true is pairs: "all". */
-function libraryOptions({ allPairs, ...options }) {
-  const named = Object.entries(options).map(([key, value]) => [key.replace(/[A-Z]/g, (c) => `_${c.toLowerCase()}`), value]);
-  return { ...Object.fromEntries(named), ...(allPairs ? { pairs: "all" } : {}) };
+/** As the library spells options: maxSeconds is max_seconds there. */
+function libraryOptions(options) {
+  const spelled = (key) => key.replace(/[A-Z]/g, (c) => `_${c.toLowerCase()}`);
+  return Object.fromEntries(Object.entries(options).map(([key, value]) => [spelled(key), value]));
 }
 
 async function ask(question, scene, options = {}, log = new Uint8Array()) {
@@ -65,54 +66,20 @@ async function ask(question, scene, options = {}, log = new Uint8Array()) {
   }
 }
 
-export async function check(scene, options) {
-  return (await ask("check", scene, options))[0];
+/** The function that asks a question: of the scene, the log if the question reads one, what is required, and options. */
+export function question({ name, required, readsLog, writesLog }) {
+  return async (scene, ...rest) => {
+    const log = readsLog ? rest.shift() : undefined;
+    if (readsLog && !(log instanceof Uint8Array)) throw new TypeError("the proof is not a Uint8Array");
+    const positional = Object.fromEntries(required.map((option) => [option, rest.shift()]));
+    const [answer, module] = await ask(name, scene, { ...rest[0], ...positional }, log);
+    return writesLog ? withLog(answer, module) : answer;
+  };
 }
 
 /** The answer to the last question, with its log. */
-function withLog([answer, module]) {
+function withLog(answer, module) {
   const at = module._taut_log();
   const log = module.HEAPU8.slice(at, at + module._taut_log_size());
   return { answer, log: log.length > 0 ? log : null };
-}
-
-export async function prove(scene, options) {
-  return withLog(await ask("prove", scene, options));
-}
-
-export async function proveClearance(scene, clearance, options) {
-  return withLog(await ask("prove_clearance", scene, { ...options, clearance }));
-}
-
-export async function verify(scene, log, options) {
-  if (!(log instanceof Uint8Array)) throw new TypeError("the proof is not a Uint8Array");
-  return (await ask("verify", scene, options, log))[0];
-}
-
-export async function clearance(scene, options) {
-  return (await ask("clearance", scene, options))[0];
-}
-
-export async function intervals(scene, options) {
-  return (await ask("intervals", scene, options))[0];
-}
-
-export async function range(scene, from, options) {
-  return (await ask("range", scene, { ...options, from }))[0];
-}
-
-export async function checkClearance(scene, clearance, options) {
-  return (await ask("check_clearance", scene, { ...options, clearance }))[0];
-}
-
-export async function distanceProfile(scene, options) {
-  return (await ask("distance_profile", scene, options))[0];
-}
-
-export async function separate(scene, options) {
-  return (await ask("separate", scene, options))[0];
-}
-
-export async function envelope(linkage, options) {
-  return (await ask("envelope", linkage, options))[0];
 }

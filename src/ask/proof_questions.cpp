@@ -1,0 +1,65 @@
+// The questions about proofs as text: prove, prove_clearance and verify.
+#include <sstream>
+
+#include "ask/question.hpp"
+#include "numeric/budget.hpp"
+#include "taut/clearance.hpp"
+#include "taut/error.hpp"
+#include "taut/proof.hpp"
+
+namespace taut::internal {
+namespace {
+
+Reply ask_proof(const Scene& scene, const GivenOptions& given) {
+  std::ostringstream log;
+  const Answer answer = prove(scene, log, given.check());
+  // There is nothing to prove about bodies that overlap from the start, or where nothing was decided.
+  const bool proved = answer.outcome == Outcome::free || answer.contact || answer.free_until > scene.start;
+  return {answer_json(scene, answer, given.touch()), proved ? log.str() : std::string(),
+          to_hex(scene_fingerprint(scene, given.touch()))};
+}
+
+Reply ask_proof_of_margin(const Scene& scene, const GivenOptions& given) {
+  const double clearance = given.number("clearance");
+  std::ostringstream log;
+  const MarginAnswer answer = prove_clearance(scene, clearance, log, given.check());
+  return {margin_json(scene, clearance, answer, given.touch()), log.str(),
+          to_hex(scene_fingerprint(scene, given.touch()))};
+}
+
+Reply ask_verify(const Scene& scene, const GivenOptions& given) {
+  try {
+    const Budget scope(given.limits());
+    std::istringstream stream(given.log());
+    return {verified_json(scene, verify(scene, stream))};
+  } catch (const ProofError& error) {
+    return {unverified_json(true, error.what())};
+  } catch (const Interrupted& limit) {
+    return {unverified_json(false, limit.reason)};
+  }
+}
+
+}  // namespace
+
+std::vector<QuestionEntry> proof_questions() {
+  return {{.name = "prove",
+           .meaning = "As check, with a proof, which is left out where nothing was proved.",
+           .answer = "Answer",
+           .options = {touch_option(), engine_option(), max_seconds_option(), max_events_option()},
+           .about_scene = ask_proof,
+           .log = QuestionLog::written},
+          {.name = "prove_clearance",
+           .meaning = "As check_clearance, with a proof.",
+           .answer = "MarginAnswer",
+           .options = {clearance_option(), touch_option(), max_seconds_option()},
+           .about_scene = ask_proof_of_margin,
+           .log = QuestionLog::written},
+          {.name = "verify",
+           .meaning = "Checks a proof, whoever made it.",
+           .answer = "Verified",
+           .options = {max_seconds_option()},
+           .about_scene = ask_verify,
+           .log = QuestionLog::read}};
+}
+
+}  // namespace taut::internal
