@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "query/bracket.hpp"
 #include "query/curved_questions.hpp"
-#include "query/near_cells.hpp"
 #include "scene/fitted_scene.hpp"
 #include "solver/earliest.hpp"
 #include "solver/run.hpp"
@@ -32,13 +32,13 @@ std::array<BodyId, 2> pair_in(const Answer& answer) { return answer.pair.value_o
 class CurvedCheck {
  public:
   CurvedCheck(const Scene& scene, const CheckOptions& options)
-      : options_(options), began_(SteadyClock::now()), world_(scene), limit_(world_), from_(scene.start) {
+      : options_(options), run_(scene, options.limits), from_(scene.start) {
     wanted_ = options.time_tolerance * (scene.end - scene.start);
   }
 
   Answer run() {
     for (int round = 0;; ++round) {
-      const Answer outer = ask(CurveSide::outer, from_, world_.scene().end);
+      const Answer outer = ask(CurveSide::outer, from_, run_.world().scene().end);
       if (outer.outcome == Outcome::untested) return outer;
       if (outer.outcome == Outcome::free || outer.outcome == Outcome::undecided) return concluded(outer, {});
       if (outer.outcome == Outcome::overlap_at_start) {
@@ -49,16 +49,14 @@ class CurvedCheck {
     }
   }
 
-  CurvedWorld take_world() { return std::move(world_); }
+  CurvedWorld take_world() { return run_.take_world(); }
 
  private:
-  double seconds_left() const { return time_left(options_.limits.max_seconds, began_); }
-
   Answer ask(CurveSide side, double from, double to) {
     CheckOptions options = options_;
     options.tell_touching = false;
-    options.limits.max_seconds = seconds_left();
-    Scene scene = world_.polygons(side);
+    options.limits = run_.limits_left();
+    Scene scene = run_.world().polygons(side);
     scene.start = from;
     scene.end = to;
     const Answer answer = check(scene, options);
@@ -68,19 +66,18 @@ class CurvedCheck {
 
   /// Polygons around the bodies overlap at the beginning of the time.
   std::optional<Answer> begin_together(const Answer& outer) {
-    if (from_ > world_.scene().start) {
+    if (from_ > run_.world().scene().start) {
       // This is due to the displacement: bodies that were free before, by less than it, need not be free to the last
       // bit.
-      from_ = world_.scene().start;
+      from_ = run_.world().scene().start;
       windows_ = false;
       return std::nullopt;
     }
     const Answer inner = ask(CurveSide::inner, from_, from_);
     if (inner.outcome == Outcome::overlap_at_start) return concluded(inner, {});
-    CurvedWorld::Halvings marks = world_.no_halvings();
-    const std::size_t count = mark_near(world_, pair_in(outer), from_, 0, marks);
-    if (!is_hopeless(outer, from_, count) && !limit_.reached(world_) && refine_marked(world_, std::move(marks), count))
-      return std::nullopt;
+    Marks marks(run_.world());
+    marks.near(pair_in(outer), from_);
+    if (!is_hopeless(outer, from_, marks.count()) && run_.refine(std::move(marks))) return std::nullopt;
     return undecided(outer,
                      "curves touch or run along each other at the start: whether they overlap is finer than "
                      "polygons resolve");
@@ -88,18 +85,18 @@ class CurvedCheck {
 
   std::optional<Answer> bracket(const Answer& outer, int round) {
     const double lo = outer.contact->time.lo;
-    CurvedWorld::Halvings marks = world_.no_halvings();
-    std::size_t count = mark_near(world_, pair_in(outer), lo, 0, marks);
+    Marks marks(run_.world());
+    marks.near(pair_in(outer), lo);
     const bool still = round > 0 && lo - last_ <= 64 * wanted_;
     last_ = lo;
     std::optional<Answer> inner;
-    if (still || count == 0 || limit_.reached(world_)) {
-      inner = ask(CurveSide::inner, from_, world_.scene().end);
+    if (still || marks.count() == 0 || run_.at_limit()) {
+      inner = ask(CurveSide::inner, from_, run_.world().scene().end);
       if (inner->outcome == Outcome::undecided) return concluded(*inner, lo);
       if (inner->contact && inner->contact->time.hi - lo <= width_of(*inner->contact)) return contact(outer, *inner);
-      if (inner->contact) count += mark_near(world_, pair_in(*inner), inner->contact->time.hi, 0, marks);
+      if (inner->contact) marks.near(pair_in(*inner), inner->contact->time.hi);
     }
-    if (is_hopeless(outer, lo, count) || limit_.reached(world_) || !refine_marked(world_, std::move(marks), count)) {
+    if (is_hopeless(outer, lo, marks.count()) || !run_.refine(std::move(marks))) {
       if (inner && inner->contact) return barely(outer, *inner);
       return undecided(outer,
                        "from t = " + short_text(lo) +
@@ -112,7 +109,7 @@ class CurvedCheck {
   /// If many cells are near, the curves may coincide along a length. Refinement would then reach the limit in vain.
   bool is_hopeless(const Answer& outer, double t, std::size_t count) const {
     constexpr std::size_t much = 200;
-    return count > much && run_along(world_, pair_in(outer), t, limit_.most());
+    return count > much && run_along(run_.world(), pair_in(outer), t, run_.most_segments());
   }
 
   /// The uncertainty of the answers for the polygons themselves is not due to the curves.
@@ -136,7 +133,7 @@ class CurvedCheck {
   Answer undecided(const Answer& outer, const std::string& reason) const {
     Answer answer = outer;
     answer.outcome = Outcome::undecided;
-    answer.free_until = outer.contact ? outer.contact->time.lo : world_.scene().start;
+    answer.free_until = outer.contact ? outer.contact->time.lo : run_.world().scene().start;
     answer.contact.reset();
     answer.overlap_point.reset();
     answer.also.clear();
@@ -145,24 +142,22 @@ class CurvedCheck {
   }
 
   Answer concluded(Answer answer, std::optional<double> free_until) const {
-    CurveGeometry geometry{answer.outcome == Outcome::free ? world_.tolerance() : 0, world_.segments()};
-    if (answer.contact) geometry.tolerance = world_.name_curves(CurveSide::inner, *answer.contact);
+    CurveGeometry geometry{answer.outcome == Outcome::free ? run_.world().tolerance() : 0, run_.world().segments()};
+    if (answer.contact) geometry.tolerance = run_.world().name_curves(CurveSide::inner, *answer.contact);
     for (PairAnswer& pair : answer.also) {
-      if (pair.contact) world_.name_curves(CurveSide::inner, *pair.contact);
+      if (pair.contact) run_.world().name_curves(CurveSide::inner, *pair.contact);
     }
     if (free_until) answer.free_until = std::max(answer.free_until, *free_until);
     if (answer.outcome == Outcome::undecided || answer.outcome == Outcome::overlap_at_start)
-      geometry.tolerance = world_.tolerance();
+      geometry.tolerance = run_.world().tolerance();
     answer.geometry = geometry;
     answer.events = events_;
-    answer.run_seconds = seconds_since(began_) - answer.build_seconds;
+    answer.run_seconds = run_.seconds() - answer.build_seconds;
     return answer;
   }
 
   const CheckOptions& options_;
-  SteadyClock::time_point began_;
-  CurvedWorld world_;
-  RefinementLimit limit_;
+  CurvedRun run_;
   double from_;  ///< nothing happens before this time
   double wanted_ = 0;
   double last_ = 0;
@@ -243,18 +238,6 @@ Answer check_fitted_curves(const Scene& scene, CheckOptions options) {
 }
 
 }  // namespace
-
-bool refine_marked(CurvedWorld& world, CurvedWorld::Halvings marks, std::size_t count) {
-  const int halvings = count > 64 ? 1 : count > 24 ? 2 : 4;
-  for (auto& body : marks) {
-    for (auto& part : body) {
-      for (auto& ring : part) {
-        for (int& mark : ring) mark *= halvings;
-      }
-    }
-  }
-  return world.refine(marks);
-}
 
 CurvedContact first_contact_of_curves(const Scene& scene, const CheckOptions& options) {
   CurvedCheck check(scene, options);

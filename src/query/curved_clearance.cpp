@@ -5,16 +5,13 @@
 #include "geometry/vector.hpp"
 #include "motion/pose.hpp"
 #include "numeric/budget.hpp"
+#include "query/bracket.hpp"
 #include "query/curved_questions.hpp"
-#include "query/near_cells.hpp"
 #include "query/nearest_points.hpp"
 #include "scene/instance.hpp"
-#include "solver/run.hpp"
 
 namespace taut::internal {
 namespace {
-
-using ClearanceClock = std::chrono::steady_clock;
 
 double name_edges(const CurvedWorld& world, NearestPoints& nearest) {
   return std::max(world.name_curve(CurveSide::inner, nearest.edges[0]),
@@ -70,45 +67,54 @@ double largest_jump(const Scene& polygons) {
 class ClearanceBracket {
  public:
   ClearanceBracket(const Scene& scene, const ClearanceOptions& options)
-      : scene_(scene), options_(options), began_(ClearanceClock::now()), world_(scene), own_(options) {
+      : scene_(scene), options_(options), run_(scene, options.limits), own_(options) {
     own_.all_pairs = false;
     own_.relative = std::max(options.relative / 4, 0.01);
-    most_ = 4 * world_.segments() + 3000;
-    size_ = largest_size(world_);
+    most_ = 4 * run_.world().segments() + 3000;
+    size_ = largest_size(run_.world());
   }
 
-  Clearance run() {
-    for (;;) {
-      const Clearance outer = ask(CurveSide::outer);
-      if (!outer.reason.empty() || !outer.nearest) return outer;
-      Clearance inner = ask(CurveSide::inner);
-      if (!inner.reason.empty() || !inner.nearest) return inner;
-      const double width = inner.nearest->hi - outer.nearest->lo, wanted = wanted_width(inner.nearest->hi);
-      if (width <= wanted) return with_reason(concluded(outer, std::move(inner)));
-      note_progress(width);
-      if (!refine(outer, inner, width / wanted)) {
-        Clearance answer = concluded(outer, std::move(inner));
-        raise_lower_end(answer);
-        if (answer.nearest->hi - answer.nearest->lo > wanted_width(answer.nearest->hi))
-          answer.wide =
-              "curves run along each other: a bracket as narrow as was asked for needs more edges than is "
-              "reasonable, and a larger tolerance fewer";
-        if (answer.outcome == Outcome::undecided && answer.nearest->lo > 0) answer.outcome = Outcome::free;
-        if (answer.outcome == Outcome::undecided) answer.reason = answer.wide;
-        return with_reason(std::move(answer));
-      }
-      // Not much finer than the polygons: the uncertainty that they leave has to be resolved anyway.
-      own_.relative = std::max(options_.relative / 4, std::min(own_.relative, 0.02 * width / inner.nearest->hi));
-    }
+  Clearance ask(CurveSide side) {
+    own_.limits = run_.limits_left();
+    Clearance answer = clearance(run_.world().polygons(side), own_);
+    answer.geometry = run_.geometry();
+    return answer;
+  }
+
+  std::optional<Clearance> decided_by(const Clearance& outer) const {
+    if (!outer.reason.empty() || !outer.nearest) return outer;
+    return std::nullopt;
+  }
+
+  std::optional<Clearance> decided_by(const Clearance& outer, const Clearance& inner) const {
+    if (!inner.reason.empty() || !inner.nearest) return inner;
+    if (width(outer, inner) <= wanted_width(inner.nearest->hi)) return with_reason(concluded(outer, inner));
+    return std::nullopt;
+  }
+
+  /// Refines near the nearest points. Returns false if that is in vain, or the resolution of doubles is reached.
+  bool refine(const Clearance& outer, const Clearance& inner) {
+    const double now = width(outer, inner);
+    note_progress(now);
+    // Not much finer than the polygons: the uncertainty that they leave has to be resolved anyway.
+    own_.relative = std::max(options_.relative / 4, std::min(own_.relative, 0.02 * now / inner.nearest->hi));
+    return refine_near(outer, inner, now / wanted_width(inner.nearest->hi));
+  }
+
+  Clearance too_fine(const Clearance& outer, Clearance inner) const {
+    Clearance answer = concluded(outer, std::move(inner));
+    raise_lower_end(answer);
+    if (answer.nearest->hi - answer.nearest->lo > wanted_width(answer.nearest->hi))
+      answer.wide =
+          "curves run along each other: a bracket as narrow as was asked for needs more edges than is "
+          "reasonable, and a larger tolerance fewer";
+    if (answer.outcome == Outcome::undecided && answer.nearest->lo > 0) answer.outcome = Outcome::free;
+    if (answer.outcome == Outcome::undecided) answer.reason = answer.wide;
+    return with_reason(std::move(answer));
   }
 
  private:
-  Clearance ask(CurveSide side) {
-    own_.limits.max_seconds = time_left(options_.limits.max_seconds, began_);
-    Clearance answer = clearance(world_.polygons(side), own_);
-    answer.geometry = CurveGeometry{world_.tolerance(), world_.segments()};
-    return answer;
-  }
+  static double width(const Clearance& outer, const Clearance& inner) { return inner.nearest->hi - outer.nearest->lo; }
 
   /// It is easier to decide whether a margin is kept: curves need to be fine only where they come so near, one instant
   /// after the other. Tests margins nearer and nearer to the upper end, with a few times the total work so far. If the
@@ -120,15 +126,14 @@ class ClearanceBracket {
     NearestPoints& nearest = *answer.nearest;
     if (nearest.lo > narrow * nearest.hi) return;
     const Budget limit(times_the_work * (work_spent() - work_before_));
-    const double jump = largest_jump(world_.polygons(CurveSide::outer));
+    const double jump = largest_jump(run_.world().polygons(CurveSide::outer));
     CheckOptions how;
-    how.limits.stop = options_.limits.stop;
     double share = 0.5;
     for (int k = 0; k < most_margins; ++k, share /= 2) {
       const double margin = nearest.hi * (1 - share);
       // Known margins need not be tested.
       if (!(margin - jump > nearest.lo) || nearest.hi - margin < wanted_width(nearest.hi)) continue;
-      how.limits.max_seconds = time_left(options_.limits.max_seconds, began_);
+      how.limits = run_.limits_left();
       if (!keeps(margin, how)) return;
       nearest.lo = (margin - jump) * (1 - 0x1p-50);
     }
@@ -155,50 +160,47 @@ class ClearanceBracket {
     least_width_ = std::min(least_width_, width);
   }
 
-  /// Refines near the nearest points. Returns false if that is in vain, or the resolution of doubles is reached.
-  bool refine(const Clearance& outer, const Clearance& inner, double too_wide) {
+  bool refine_near(const Clearance& outer, const Clearance& inner, double too_wide) {
     constexpr std::size_t much = 200;
     constexpr int subdivision_threshold = 5;
-    CurvedWorld::Halvings marks = world_.no_halvings();
-    std::size_t count = mark_near(world_, outer.nearest->pair, outer.nearest->time.hi, outer.nearest->hi, marks) +
-                        mark_near(world_, inner.nearest->pair, inner.nearest->time.hi, inner.nearest->hi, marks);
+    Marks marks(run_.world());
+    marks.near(outer.nearest->pair, outer.nearest->time.hi, outer.nearest->hi);
+    marks.near(inner.nearest->pair, inner.nearest->time.hi, inner.nearest->hi);
     // The nearest points move elsewhere, and to another time, as soon as the curves are refined where they were.
-    if (stalled_ > 1) count += mark_at_all_times(inner, marks);
+    if (stalled_ > 1) mark_at_all_times(inner, marks);
     if (stalled_ > 1) ++wandered_;
+    const std::size_t count = marks.count();
     const bool in_vain = static_cast<double>(count) * std::sqrt(too_wide) > static_cast<double>(most_);
     if (wandered_ > 2 && in_vain) return false;
     // If curves are near for a long time, the number of near cells grows with every halving. If they are near only for
     // a short time, it does not.
     const bool grows = static_cast<double>(count) > 1.3 * static_cast<double>(last_count_);
     last_count_ = count;
-    if (count > much && grows && in_vain && world_.segments() > most_ / 2) return false;
-    return stalled_ < subdivision_threshold && count > 0 && world_.segments() < 10 * most_ &&
-           refine_marked(world_, std::move(marks), count);
+    const std::uint64_t segments = run_.world().segments();
+    if (count > much && grows && in_vain && segments > most_ / 2) return false;
+    return stalled_ < subdivision_threshold && segments < 10 * most_ && run_.refine_beyond_limit(std::move(marks));
   }
 
-  std::size_t mark_at_all_times(const Clearance& inner, CurvedWorld::Halvings& marks) const {
+  void mark_at_all_times(const Clearance& inner, Marks& marks) const {
     constexpr int times = 32;
-    std::size_t count = 0;
-    const Scene& scene = world_.scene();
+    const Scene& scene = run_.world().scene();
     for (int k = 0; k <= times; ++k) {
       const double t = scene.start + (scene.end - scene.start) * (k / static_cast<double>(times));
-      count += mark_near(world_, inner.nearest->pair, t, inner.nearest->hi, marks);
+      marks.near(inner.nearest->pair, t, inner.nearest->hi);
     }
-    return count;
   }
 
   Clearance concluded(const Clearance& outer, Clearance inner) const {
     inner.nearest->lo = std::min(outer.nearest->lo, inner.nearest->hi);
     if (!(inner.nearest->hi > 0)) return touching_curves(scene_, options_, std::move(inner));
     inner.outcome = inner.nearest->lo > 0 ? Outcome::free : Outcome::undecided;
-    inner.geometry->tolerance = name_edges(world_, *inner.nearest);
+    inner.geometry->tolerance = name_edges(run_.world(), *inner.nearest);
     return inner;
   }
 
   const Scene& scene_;
   const ClearanceOptions& options_;
-  ClearanceClock::time_point began_;
-  CurvedWorld world_;
+  CurvedRun run_;
   ClearanceOptions own_;
   std::uint64_t most_ = 0, work_before_ = work_spent();
   double size_ = 1;
@@ -208,7 +210,8 @@ class ClearanceBracket {
 };
 
 Clearance least_clearance(const Scene& scene, const ClearanceOptions& options) {
-  return ClearanceBracket(scene, options).run();
+  ClearanceBracket query(scene, options);
+  return bracketed(query);
 }
 
 /// Converts a pair's answer to the terms of the whole scene.
@@ -244,51 +247,60 @@ MarginAnswer undecided_margin(MarginAnswer outer, const std::string& reason) {
 class MarginBracket {
  public:
   MarginBracket(const Scene& scene, double clearance, const CheckOptions& options)
-      : clearance_(clearance), options_(options), world_(scene), limit_(world_) {
+      : clearance_(clearance), options_(options), run_(scene, options_.limits) {
     options_.all_pairs = false;
+    wanted_ = options_.time_tolerance * (scene.end - scene.start);
   }
 
-  MarginAnswer run() {
-    const double wanted = options_.time_tolerance * (world_.scene().end - world_.scene().start);
-    for (;;) {
-      const MarginAnswer outer = ask(CurveSide::outer);
-      if (outer.outcome != Outcome::contact && !at_start(outer.outcome)) return outer;
-      MarginAnswer inner = ask(CurveSide::inner);
-      if (inner.outcome == Outcome::undecided) return inner;
-      if (say_the_same(outer, inner) && is_narrow(outer, inner, wanted)) return concluded(outer, std::move(inner));
-      CurvedWorld::Halvings marks = world_.no_halvings();
-      const std::size_t count = mark(outer, marks) + mark(inner, marks);
-      if (count == 0 || limit_.reached(world_) || !refine_marked(world_, std::move(marks), count))
-        return undecided_margin(outer, "whether curves come closer is finer than doubles resolve, or when");
-    }
-  }
-
-  CurvedWorld take_world() { return std::move(world_); }
-
- private:
-  MarginAnswer ask(CurveSide side) {
-    MarginAnswer answer = check_clearance(world_.polygons(side), clearance_, options_);
-    answer.geometry = CurveGeometry{world_.tolerance(), world_.segments()};
+  MarginAnswer ask(CurveSide side) const {
+    CheckOptions options = options_;
+    options.limits = run_.limits_left();
+    MarginAnswer answer = check_clearance(run_.world().polygons(side), clearance_, options);
+    answer.geometry = run_.geometry();
     return answer;
   }
 
+  std::optional<MarginAnswer> decided_by(const MarginAnswer& outer) const {
+    if (outer.outcome != Outcome::contact && !at_start(outer.outcome)) return outer;
+    return std::nullopt;
+  }
+
+  std::optional<MarginAnswer> decided_by(const MarginAnswer& outer, const MarginAnswer& inner) const {
+    if (inner.outcome == Outcome::undecided) return inner;
+    if (say_the_same(outer, inner) && is_narrow(outer, inner)) return concluded(outer, inner);
+    return std::nullopt;
+  }
+
+  bool refine(const MarginAnswer& outer, const MarginAnswer& inner) {
+    Marks marks(run_.world());
+    mark(outer, marks);
+    mark(inner, marks);
+    return run_.refine(std::move(marks));
+  }
+
+  MarginAnswer too_fine(MarginAnswer outer, const MarginAnswer&) const {
+    return undecided_margin(std::move(outer), "whether curves come closer is finer than doubles resolve, or when");
+  }
+
+  CurvedWorld take_world() { return run_.take_world(); }
+
+ private:
   /// If only polygons around the bodies overlap at the start, the bodies are closer all the same.
   static bool say_the_same(const MarginAnswer& outer, const MarginAnswer& inner) {
     return inner.outcome == outer.outcome || (at_start(inner.outcome) && at_start(outer.outcome));
   }
 
-  static bool is_narrow(const MarginAnswer& outer, const MarginAnswer& inner, double wanted) {
+  bool is_narrow(const MarginAnswer& outer, const MarginAnswer& inner) const {
     if (at_start(outer.outcome)) return true;
     const double own = 2 * (inner.first->time.hi - inner.first->time.lo);
     return inner.first->time.hi - outer.first->time.lo <=
-           std::max({wanted, own, 0x1p-49 * std::fabs(inner.first->time.hi)});
+           std::max({wanted_, own, 0x1p-49 * std::fabs(inner.first->time.hi)});
   }
 
-  std::size_t mark(const MarginAnswer& answer, CurvedWorld::Halvings& marks) const {
-    if (!answer.first) return 0;
+  void mark(const MarginAnswer& answer, Marks& marks) const {
+    if (!answer.first) return;
     const bool late = answer.outcome == Outcome::contact;
-    return mark_near(world_, answer.first->bodies, late ? answer.first->time.hi : world_.scene().start, clearance_,
-                     marks);
+    marks.near(answer.first->bodies, late ? answer.first->time.hi : run_.world().scene().start, clearance_);
   }
 
   MarginAnswer concluded(const MarginAnswer& outer, MarginAnswer inner) const {
@@ -296,15 +308,15 @@ class MarginBracket {
       inner.first->time.lo = outer.first->time.lo;
       inner.first->free_until = inner.free_until = outer.first->time.lo;
     }
-    name_margin(world_, *inner.first);
-    for (PairMargin& pair : inner.also) name_margin(world_, pair);
+    name_margin(run_.world(), *inner.first);
+    for (PairMargin& pair : inner.also) name_margin(run_.world(), pair);
     return inner;
   }
 
   double clearance_;
   CheckOptions options_;
-  CurvedWorld world_;
-  RefinementLimit limit_;
+  CurvedRun run_;
+  double wanted_ = 0;
 };
 
 }  // namespace
@@ -342,7 +354,7 @@ Clearance clearance_of_curves(const Scene& scene, const ClearanceOptions& option
 
 CurvedMargin margin_of_curves(const Scene& scene, double clearance, const CheckOptions& options) {
   MarginBracket bracket(scene, clearance, options);
-  MarginAnswer answer = bracket.run();
+  MarginAnswer answer = bracketed(bracket);
   return {std::move(answer), bracket.take_world()};
 }
 

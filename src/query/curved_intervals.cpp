@@ -4,11 +4,11 @@
 #include <cstdio>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "query/bracket.hpp"
 #include "query/curved_questions.hpp"
-#include "query/near_cells.hpp"
-#include "solver/run.hpp"
 
 namespace taut::internal {
 namespace {
@@ -39,49 +39,16 @@ class CurvedIntervals {
   /// its approximate time is known.
   CurvedIntervals(const Scene& scene, const CheckOptions& options, double wanted, bool in_windows)
       : options_(options),
-        began_(std::chrono::steady_clock::now()),
-        world_(scene),
-        limit_(world_),
+        run_(scene, options.limits),
         wanted_(wanted),
         in_windows_(in_windows),
         start_(scene.start),
         end_(scene.end) {}
 
-  /// Pairs are decided one after the other, and not tested again: others may need curves that are far finer.
-  Intervals run() {
-    for (bool first = true;; first = false) {
-      Intervals outer = ask(CurveSide::outer);
-      if (first && outer.outcome == Outcome::untested) return outer;
-      const Intervals inner = ask(CurveSide::inner);
-      if (first) answer_.coverage = outer.coverage;
-      resolve_undecided(outer);
-      resolve_undecided(inner);
-      std::vector<OverlapBracket> brackets = brackets_of(outer, inner);
-      if (in_windows_) {
-        for (OverlapBracket& bracket : brackets) report_ends(bracket);
-      }
-      const std::set<std::array<BodyId, 2>> open = open_pairs(brackets);
-      CurvedWorld::Halvings marks = world_.no_halvings();
-      std::size_t count = 0;
-      for (const OverlapBracket& bracket : brackets) {
-        if (open.count(bracket.outer.pair) == 0) {
-          resolve(bracket);
-        } else if (!bracket.decided(wanted_)) {
-          count += mark(bracket, marks);
-        }
-      }
-      if (count == 0 || limit_.reached(world_) || !refine_marked(world_, std::move(marks), count))
-        return concluded(brackets, open);
-      ask_only(open);
-      if (!in_windows_ && brackets.size() == 1) shorten_window(brackets[0]);
-    }
-  }
-
- private:
   Intervals ask(CurveSide side) const {
     CheckOptions options = options_;
-    options.limits.max_seconds = time_left(options.limits.max_seconds, began_);
-    Scene polygons = world_.polygons(side);
+    options.limits = run_.limits_left();
+    Scene polygons = run_.world().polygons(side);
     polygons.start = start_;
     polygons.end = end_;
     polygons.ignore.insert(polygons.ignore.end(), finished_.begin(), finished_.end());
@@ -89,6 +56,42 @@ class CurvedIntervals {
     return intervals_of_polygons(polygons, options, false);
   }
 
+  std::optional<Intervals> decided_by(const Intervals& outer) {
+    const bool first = !std::exchange(is_begun_, true);
+    if (first && outer.outcome == Outcome::untested) return outer;
+    if (first) answer_.coverage = outer.coverage;
+    return std::nullopt;
+  }
+
+  /// Nothing is decided of all pairs at once: refine() goes on with those that are open.
+  std::optional<Intervals> decided_by(const Intervals&, const Intervals&) const { return std::nullopt; }
+
+  /// Pairs are decided one after the other, and not tested again: others may need curves that are far finer.
+  bool refine(const Intervals& outer, const Intervals& inner) {
+    resolve_undecided(outer);
+    resolve_undecided(inner);
+    brackets_ = brackets_of(outer, inner);
+    if (in_windows_) {
+      for (OverlapBracket& bracket : brackets_) report_ends(bracket);
+    }
+    open_ = open_pairs(brackets_);
+    Marks marks(run_.world());
+    for (const OverlapBracket& bracket : brackets_) {
+      if (open_.count(bracket.outer.pair) == 0) {
+        resolve(bracket);
+      } else if (!bracket.decided(wanted_)) {
+        mark(bracket, marks);
+      }
+    }
+    if (!run_.refine(std::move(marks))) return false;
+    ask_only(open_);
+    if (!in_windows_ && brackets_.size() == 1) shorten_window(brackets_[0]);
+    return true;
+  }
+
+  Intervals too_fine(const Intervals&, const Intervals&) { return concluded(brackets_, open_); }
+
+ private:
   /// Of a window around the only end in it: what is farther from that end than it is uncertain need not be asked about
   /// again. Finer polygons have many crossings there, within the overlap.
   void shorten_window(const OverlapBracket& bracket) {
@@ -131,12 +134,13 @@ class CurvedIntervals {
   /// The only interval in which the two bodies overlap in a window. Its features have the names of their curves.
   std::optional<OverlapInterval> decided_within(const std::array<BodyId, 2>& pair, double from, double to) {
     std::vector<BodyId> ids;
-    Scene scene = scene_of_pair(world_.scene(), pair, ids);
+    Scene scene = scene_of_pair(run_.world().scene(), pair, ids);
     scene.start = std::max(scene.start, from);
     scene.end = std::min(scene.end, to);
     CheckOptions options = options_;
-    options.limits.max_seconds = time_left(options.limits.max_seconds, began_);
-    Intervals found = CurvedIntervals(scene, options, wanted_, false).run();
+    options.limits = run_.limits_left();
+    CurvedIntervals window(scene, options, wanted_, false);
+    Intervals found = bracketed(window);
     if (found.intervals.size() != 1 || !found.undecided.empty()) return std::nullopt;
     OverlapInterval decided = found.intervals[0];
     for (std::optional<Contact>* contact : {&decided.enter, &decided.exit}) {
@@ -170,7 +174,7 @@ class CurvedIntervals {
 
   void ask_only(const std::set<std::array<BodyId, 2>>& open) {
     finished_.clear();
-    const std::vector<Body>& bodies = world_.scene().bodies;
+    const std::vector<Body>& bodies = run_.world().scene().bodies;
     const int n = static_cast<int>(bodies.size());
     for (int a = 0; a < n; ++a) {
       for (int b = a + 1; b < n; ++b) {
@@ -192,7 +196,7 @@ class CurvedIntervals {
   }
 
   /// Marks cells near the ends that are not determined accurately, and in the middle if nothing is known there.
-  std::size_t mark(const OverlapBracket& bracket, CurvedWorld::Halvings& marks) const {
+  void mark(const OverlapBracket& bracket, Marks& marks) const {
     const OverlapInterval& o = bracket.outer;
     const bool one = bracket.inner.size() == 1;
     std::vector<double> instants;
@@ -203,10 +207,8 @@ class CurvedIntervals {
       if (!one || !bracket.begin_decided(wanted_)) instants.push_back(i.from.hi);
       if (!one || !bracket.end_decided(wanted_)) instants.push_back(i.to.lo);
     }
-    std::size_t count = 0;
-    for (const double t : instants)
-      count += mark_near(world_, o.pair, std::clamp(t, world_.scene().start, world_.scene().end), 0, marks);
-    return count;
+    const Scene& scene = run_.world().scene();
+    for (const double t : instants) marks.near(o.pair, std::clamp(t, scene.start, scene.end));
   }
 
   Intervals concluded(const std::vector<OverlapBracket>& brackets, const std::set<std::array<BodyId, 2>>& open) {
@@ -223,7 +225,7 @@ class CurvedIntervals {
     }
     std::stable_sort(answer_.intervals.begin(), answer_.intervals.end(),
                      [](const OverlapInterval& a, const OverlapInterval& b) { return a.pair < b.pair; });
-    answer_.geometry = CurveGeometry{tolerance_, std::max(segments_, world_.segments())};
+    answer_.geometry = CurveGeometry{tolerance_, std::max(segments_, run_.world().segments())};
     conclude(answer_);
     return std::move(answer_);
   }
@@ -235,15 +237,13 @@ class CurvedIntervals {
     for (std::optional<Contact>* contact : {&found.enter, &found.exit}) {
       // The contacts of windows have their names already.
       if (*contact && !(*contact)->vertex.parameter && !(*contact)->edge.parameter)
-        tolerance_ = std::max(tolerance_, world_.name_curves(CurveSide::inner, **contact));
+        tolerance_ = std::max(tolerance_, run_.world().name_curves(CurveSide::inner, **contact));
     }
     return found;
   }
 
   const CheckOptions& options_;
-  std::chrono::steady_clock::time_point began_;
-  CurvedWorld world_;
-  RefinementLimit limit_;
+  CurvedRun run_;
   double wanted_;
   bool in_windows_;
   double start_, end_;          ///< of the window that polygons are asked about
@@ -252,12 +252,16 @@ class CurvedIntervals {
   std::set<std::array<BodyId, 2>> undecided_;
   std::vector<std::array<std::string, 2>> finished_;  ///< by name, in the form in which a scene ignores pairs
   double tolerance_ = 0;
+  bool is_begun_ = false;
+  std::vector<OverlapBracket> brackets_;  ///< of the last polygons
+  std::set<std::array<BodyId, 2>> open_ = {};
 };
 
 }  // namespace
 
 Intervals intervals_of_curves(const Scene& scene, const CheckOptions& options) {
-  return CurvedIntervals(scene, options, options.time_tolerance * (scene.end - scene.start), true).run();
+  CurvedIntervals query(scene, options, options.time_tolerance * (scene.end - scene.start), true);
+  return bracketed(query);
 }
 
 }  // namespace taut::internal

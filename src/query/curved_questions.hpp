@@ -1,6 +1,4 @@
-// Queries about bodies with curves. Each is answered twice: for polygons around the bodies, and for polygons within
-// them. The true answer lies between. If the two answers differ by more than the tolerance, polygons are refined near
-// the cause of the difference, and the query is repeated.
+// Queries about bodies with curves: bracket.hpp has the loop that they share.
 #pragma once
 
 #include "scene/curved_world.hpp"
@@ -53,20 +51,5 @@ double largest_size(const CurvedWorld& world);
 /// The scene of two bodies, including all their parents, with all other pairs ignored. `ids` receives the bodies'
 /// numbers in the whole scene.
 Scene scene_of_pair(const Scene& scene, const std::array<BodyId, 2>& pair, std::vector<BodyId>& ids);
-
-/// A limit of the number of cells, beyond which a query is abandoned: curves that run along each other for a while
-/// would never end.
-class RefinementLimit {
- public:
-  explicit RefinementLimit(const CurvedWorld& world) : most_(4 * world.segments() + 30000) {}
-  bool reached(const CurvedWorld& world) const { return world.segments() > most_; }
-  std::uint64_t most() const { return most_; }
-
- private:
-  std::uint64_t most_;
-};
-
-/// Refines the marked cells: a little if there are many, further if there are few.
-bool refine_marked(CurvedWorld& world, CurvedWorld::Halvings marks, std::size_t count);
 
 }  // namespace taut::internal

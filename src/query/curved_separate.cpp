@@ -4,9 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "query/bracket.hpp"
 #include "query/curved_questions.hpp"
-#include "query/near_cells.hpp"
-#include "solver/run.hpp"
 
 namespace taut::internal {
 namespace {
@@ -14,7 +13,7 @@ namespace {
 /// The tolerance, in degrees, for the directions that end a free arc.
 constexpr double direction_tolerance = 1e-7;
 
-const std::string too_fine =
+const std::string finer_than_doubles =
     "whether bodies can leave in some directions, or overlap already, is finer than doubles resolve curves: taut "
     "flatten "
     "--inner, or --outer, makes polygons, about which it is decided";
@@ -30,40 +29,51 @@ double between_degrees(double a, double b) {
 class CurvedSeparation {
  public:
   CurvedSeparation(const Scene& scene, const SeparateOptions& options)
-      : options_(options), began_(std::chrono::steady_clock::now()), world_(scene), limit_(world_) {}
+      : options_(options), run_(scene, options.limits) {}
 
-  Separation run() {
-    for (;;) {
-      Separation outer = ask(CurveSide::outer), inner = ask(CurveSide::inner);
-      if (!outer.reason.empty()) return outer;
-      if (!inner.reason.empty() || inner.overlap) return inner;
-      CurvedWorld::Halvings marks = world_.no_halvings();
-      std::size_t count = 0;
-      const bool alike = !outer.overlap && same_arcs(outer, inner);
-      if (alike && widest(outer, inner) <= direction_tolerance) return concluded(outer, inner);
-      if (outer.overlap) count += mark_near(world_, *outer.overlap, world_.scene().start, 0, marks);
-      count += mark(CurveSide::outer, outer, marks) + mark(CurveSide::inner, inner, marks);
-      if (count > 0 && !limit_.reached(world_) && refine_marked(world_, std::move(marks), count)) continue;
-      if (alike) {
-        outer.wide = fmt::format(
-            "ends of free directions are found to {:.2g} degrees: more needs more edges along the curves than "
-            "is reasonable",
-            widest(outer, inner));
-        return concluded(outer, inner);
-      }
-      outer.outcome = SeparationOutcome::undecided;
-      outer.reason = too_fine;
-      return outer;
+  Separation ask(CurveSide side) const {
+    SeparateOptions options = options_;
+    options.limits = run_.limits_left();
+    Separation answer = separate(run_.world().polygons(side), options);
+    answer.geometry = run_.geometry();
+    return answer;
+  }
+
+  std::optional<Separation> decided_by(const Separation& outer) const {
+    if (!outer.reason.empty()) return outer;
+    return std::nullopt;
+  }
+
+  std::optional<Separation> decided_by(const Separation& outer, const Separation& inner) const {
+    if (!inner.reason.empty() || inner.overlap) return inner;
+    if (alike(outer, inner) && widest(outer, inner) <= direction_tolerance) return concluded(outer, inner);
+    return std::nullopt;
+  }
+
+  bool refine(const Separation& outer, const Separation& inner) {
+    Marks marks(run_.world());
+    if (outer.overlap) marks.near(*outer.overlap, run_.world().scene().start);
+    mark(CurveSide::outer, outer, marks);
+    mark(CurveSide::inner, inner, marks);
+    return run_.refine(std::move(marks));
+  }
+
+  Separation too_fine(Separation outer, const Separation& inner) const {
+    if (alike(outer, inner)) {
+      outer.wide = fmt::format(
+          "ends of free directions are found to {:.2g} degrees: more needs more edges along the curves than "
+          "is reasonable",
+          widest(outer, inner));
+      return concluded(std::move(outer), inner);
     }
+    outer.outcome = SeparationOutcome::undecided;
+    outer.reason = finer_than_doubles;
+    return outer;
   }
 
  private:
-  Separation ask(CurveSide side) const {
-    SeparateOptions options = options_;
-    options.limits.max_seconds = time_left(options.limits.max_seconds, began_);
-    Separation answer = separate(world_.polygons(side), options);
-    answer.geometry = CurveGeometry{world_.tolerance(), world_.segments()};
-    return answer;
+  static bool alike(const Separation& outer, const Separation& inner) {
+    return !outer.overlap && same_arcs(outer, inner);
   }
 
   static bool same_arcs(const Separation& outer, const Separation& inner) {
@@ -85,35 +95,33 @@ class CurvedSeparation {
     return most;
   }
 
-  std::size_t mark(CurveSide side, const Separation& answer, CurvedWorld::Halvings& marks) const {
-    std::size_t count = 0;
+  static void mark(CurveSide side, const Separation& answer, Marks& marks) {
     for (const BodyDirections& body : answer.bodies) {
       for (const DirectionArc& arc : body.free) {
         for (const auto& ends : {arc.from_vertices, arc.to_vertices}) {
           if (!ends) continue;
-          for (const VertexRef& vertex : *ends) count += world_.mark_vertex(side, vertex, marks);
+          for (const VertexRef& vertex : *ends) marks.vertex(side, vertex);
         }
         for (const auto& end : {arc.from_reach, arc.to_reach}) {
           if (!end) continue;
           const EdgeRef& e = end->edge;
-          count += world_.mark_vertex(side, end->vertex, marks);
-          count += world_.mark_vertex(side, {e.body, e.index, e.part, e.ring}, marks);
+          marks.vertex(side, end->vertex);
+          marks.vertex(side, {e.body, e.index, e.part, e.ring});
         }
       }
     }
-    return count;
   }
 
   /// The result: the arcs of polygons around the bodies, which are certainly free, and enclosures of the true ends.
   Separation concluded(Separation outer, const Separation& inner) const {
     const auto name = [&](std::optional<std::array<VertexRef, 2>>& ends) {
       if (!ends) return;
-      for (VertexRef& vertex : *ends) world_.name_curve(CurveSide::outer, vertex);
+      for (VertexRef& vertex : *ends) run_.world().name_curve(CurveSide::outer, vertex);
     };
     const auto name_reach = [&](std::optional<VertexAtEdge>& end) {
       if (!end) return;
-      world_.name_curve(CurveSide::outer, end->vertex);
-      world_.name_curve(CurveSide::outer, end->edge);
+      run_.world().name_curve(CurveSide::outer, end->vertex);
+      run_.world().name_curve(CurveSide::outer, end->edge);
     };
     const auto name_ends = [&](DirectionArc& arc) {
       name(arc.from_vertices);
@@ -138,15 +146,14 @@ class CurvedSeparation {
   }
 
   const SeparateOptions& options_;
-  std::chrono::steady_clock::time_point began_;
-  CurvedWorld world_;
-  RefinementLimit limit_;
+  CurvedRun run_;
 };
 
 }  // namespace
 
 Separation separate_curves(const Scene& scene, const SeparateOptions& options) {
-  return CurvedSeparation(scene, options).run();
+  CurvedSeparation query(scene, options);
+  return bracketed(query);
 }
 
 }  // namespace taut::internal
