@@ -166,7 +166,7 @@ std::string part_text(const Part& part) {
 /// The tiling at t, from a simulation of its own.
 std::string picture(const Scene& scene, Touch touch, double t) {
   Simulation simulation(scene, touch);
-  DrawOptions options;
+  TilingDrawOptions options;
   if (simulation.state() == SimulationState::overlap_at_start)
     throw InputError("", "the bodies overlap at the start", "there is no free space to tile");
   if (simulation.advance_to(t) == SimulationState::contact) options.contact = &*simulation.contact();

@@ -111,9 +111,9 @@ double World::end() const {
 
 std::string World::picture(double t) const {
   const double shown = std::min(t, end());
-  WorldDrawOptions options = shown == end() ? marked(answer_) : WorldDrawOptions{};
+  DrawOptions options = shown == end() ? marked(answer_) : DrawOptions{};
   if (!curves_) options.tilings = tilings_of_near_pairs(scene_, shown, touch_);
-  return draw_world_svg(scene_, shown, options);
+  return draw_svg(scene_, shown, options);
 }
 
 std::vector<double> World::tilings(double t) const {

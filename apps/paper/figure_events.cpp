@@ -55,7 +55,7 @@ void add_event(Sheet& sheet, const Scene& scene, const std::vector<TraceEvent>& 
   const int corner[] = {find_vertex(before, e.u.body, e.u.index), find_vertex(before, e.v.body, e.v.index),
                         find_vertex(before, e.w.body, e.w.index)};
   for (const Tiling* tiling : {&before, &after}) {
-    DrawOptions o = panel_options();
+    TilingDrawOptions o = panel_options();
     const std::set<Segment>&mine = tiling == &before ? old_edges : new_edges,
           &other = tiling == &before ? new_edges : old_edges;
     for (const Segment& s : mine) {
@@ -137,7 +137,7 @@ std::string figure_8(const Scene& inner, const Scene& outer) {
         if (edges[0].count(s) || body(s.first) != 0 || body(s.second) != 0 || on_boundary || found) continue;
         found = true;
         for (int k = 0; k < 2; ++k) {
-          DrawOptions o = panel_options();
+          TilingDrawOptions o = panel_options();
           o.faces = o.edges = o.certificates = false;
           DrawnPath cycle = drawn_cycle(tilings[k], cycles[k]);
           cycle.stars.clear();
@@ -164,7 +164,7 @@ std::string figure_16(const Scene& scene) {
   for (const double t : {-1.0, -0.84, -0.72}) {
     const Simulation simulation = at(scene, t);
     const Tiling tiling = simulation.tiling();
-    DrawOptions o = panel_options();
+    TilingDrawOptions o = panel_options();
     o.width = 330;
     o.certificates = false;
     DrawnPath hull = drawn_cycle(tiling, simulation.geodesic_cycle(0, 0));
@@ -187,7 +187,7 @@ std::string figure_17(const Scene& scene) {
   const Polygon& holder = scene.bodies[0].polygon;
   const std::size_t teeth = scene.bodies[1].polygon.size() / 2, links = holder.size() - 4;
   for (const bool near : {false, true}) {
-    DrawOptions o = panel_options();
+    TilingDrawOptions o = panel_options();
     o.width = 500;
     o.certificates = false;
     // The extensions of the chain's edges.

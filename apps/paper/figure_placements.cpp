@@ -39,7 +39,7 @@ std::string figure_1(const Scene& scene) {
   for (const double t : {0.0, 1.0}) {
     const Simulation simulation = at(scene, t);
     const Tiling tiling = simulation.tiling();
-    DrawOptions o = panel_options();
+    TilingDrawOptions o = panel_options();
     o.faces = o.edges = o.certificates = false;
     o.paths = {half_geodesic(simulation, tiling)};
     const Point a = o.paths[0].points.front(), b = o.paths[0].points.back();
@@ -119,7 +119,7 @@ std::string figure_2(const Scene& scene) {
     const int other = pin == pair[0] ? pair[1] : pair[0];
     const bool moves = beyond(tiling, pin, other, 0);
     if (moves) pin = other;
-    DrawOptions o = panel_options();
+    TilingDrawOptions o = panel_options();
     o.faces = o.certificates = false;
     o.paths = {lasso(tiling, pin)};
     for (const int k : {0, 1}) {
@@ -139,17 +139,17 @@ std::string figure_3(const Scene& scene) {
   Sheet sheet(3);
   const Simulation simulation(scene);
   const Tiling tiling = simulation.tiling();
-  DrawOptions o = panel_options();
+  TilingDrawOptions o = panel_options();
   sheet.add(draw_svg(scene, tiling, o), "The tiling; PQ edges bold");
   for (int level = 0; level < 4; ++level) {
-    DrawOptions dream = panel_options();
+    TilingDrawOptions dream = panel_options();
     dream.faces = dream.edges = dream.certificates = false;
     dream.paths = {drawn_cycle(tiling, simulation.geodesic_cycle(1, level))};
     sheet.add(draw_svg(scene, tiling, dream),
               level == 0 ? "Level 0: the relative convex hull of Q"
                          : fmt::format("Level {}: {} pinned vertices", level, dream.paths[0].stars.size()));
   }
-  DrawOptions all = panel_options();
+  TilingDrawOptions all = panel_options();
   all.faces = all.edges = all.certificates = false;
   all.paths = {drawn_cycle(tiling, simulation.geodesic_cycle(0, 0)),
                drawn_cycle(tiling, simulation.geodesic_cycle(1, 0))};
@@ -164,7 +164,7 @@ std::string figure_4(const Scene& scene) {
   Sheet sheet(2);
   const Simulation simulation(scene);
   const Tiling tiling = simulation.tiling();
-  DrawOptions o = panel_options();
+  TilingDrawOptions o = panel_options();
   o.width = 560;
   o.certificates = false;
   const SubtreePicture tree(scene, tiling, 0, 1, 1);
@@ -210,7 +210,7 @@ std::string figure_5(const Scene& scene) {
     const double later = time((stretch.first + stretch.second) / 2.0);
     const Simulation simulation = at(scene, later);
     const Tiling tiling = simulation.tiling();
-    DrawOptions o = panel_options();
+    TilingDrawOptions o = panel_options();
     o.certificates = false;
     DrawnPath outer;
     outer.kind = DrawnPath::Kind::come;

@@ -5,8 +5,8 @@
 
 namespace taut::paper {
 
-DrawOptions panel_options() {
-  DrawOptions o;
+TilingDrawOptions panel_options() {
+  TilingDrawOptions o;
   o.width = 440;
   o.legend = false;
   o.title.assign(1, ' ');

@@ -10,7 +10,7 @@
 namespace taut::paper {
 
 /// A picture on a sheet: no legend, no title (its caption stands on the sheet).
-DrawOptions panel_options();
+TilingDrawOptions panel_options();
 /// A simulation that stands at t.
 Simulation at(const Scene& scene, double t);
 const Point& position(const Tiling& tiling, int v);

@@ -23,7 +23,7 @@ std::string separators(const std::vector<std::pair<Scene, double>>& placements) 
         tiling.vertices.push_back({{body, static_cast<int>(i)}, polygon[i]});
     }
     const MinimumLinkSeparator& m = found.minimum_link;
-    DrawOptions o = panel_options();
+    TilingDrawOptions o = panel_options();
     o.width = 400;
     o.paths = {{m.vertices, DrawnPath::Kind::separator, m.closed, {}}};
     const std::string links =

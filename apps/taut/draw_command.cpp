@@ -23,7 +23,7 @@ struct DrawArguments {
   std::string output;
   std::optional<double> at;
   Touch touch = Touch::open;
-  DrawOptions options;
+  TilingDrawOptions options;
   std::optional<int> level;
   bool plain = false, no_corners = false, animate = false;
 };
@@ -48,7 +48,7 @@ int draw_bodies(const DrawArguments& arguments, const Scene& scene) {
   const Answer answer = watched_run(scene, arguments.scene.path, options, check);
   const std::string note = world_note(scene, answer, at);
   if (!note.empty()) fmt::print(stderr, "taut: {}\n", io::line_for_terminal(note));
-  WorldDrawOptions drawn;
+  DrawOptions drawn;
   drawn.width = arguments.options.width;
   const DrawnTilings how{!arguments.plain, arguments.touch};
   write_output(arguments.output, arguments.animate ? world_animation(scene, answer, how, {.draw = drawn})

@@ -77,7 +77,7 @@ std::string picture(const Scene& scene, double t, const Separator& found) {
   Tiling tiling;
   tiling.time = t;
   const std::array<Polygon, 2> bodies = placed(scene, t);
-  DrawOptions options;
+  TilingDrawOptions options;
   options.edges = false;
   options.certificates = false;
   for (int body : {0, 1}) {

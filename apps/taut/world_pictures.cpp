@@ -63,14 +63,14 @@ std::string ending_of(const Scene& scene, const Answer& answer) {
 }  // namespace
 
 std::string world_picture(const Scene& scene, const Answer& answer, std::optional<double> at, const DrawnTilings& how,
-                          WorldDrawOptions options) {
+                          DrawOptions options) {
   const double end = end_of(scene, answer), t = std::min(at.value_or(end), end);
   if (how.wanted && !has_curves(scene)) options.tilings = tilings_of_near_pairs(scene, t, how.touch);
-  return draw_world_svg(scene, t, t == end ? marked(answer, options) : options);
+  return draw_svg(scene, t, t == end ? marked(answer, options) : options);
 }
 
 std::string world_animation(const Scene& scene, const Answer& answer, const DrawnTilings& how,
-                            WorldAnimateOptions options) {
+                            AnimateOptions options) {
   if (how.wanted && !has_curves(scene) && scene.bodies.size() <= most_bodies_with_moving_tilings)
     options.tilings = [&](double t) { return tilings_of_near_pairs(scene, t, how.touch); };
   options.draw = marked(answer, options.draw);
@@ -78,16 +78,16 @@ std::string world_animation(const Scene& scene, const Answer& answer, const Draw
   options.free = answer.outcome == Outcome::free;
   std::string svg;
   for (;; options.frames /= 2) {
-    svg = animate_world_svg(scene, end_of(scene, answer), options);
+    svg = animate_svg(scene, end_of(scene, answer), options);
     if (svg.size() <= largest_moving_world) return svg;
     if (options.frames / 2 >= fewest_world_frames) continue;
     if (!options.tilings) return svg;
     options.tilings = {};
-    options.frames = 2 * WorldAnimateOptions().frames;
+    options.frames = 2 * AnimateOptions().frames;
   }
 }
 
-std::string world_animation(const Scene& scene, const DrawnTilings& how, WorldAnimateOptions options) {
+std::string world_animation(const Scene& scene, const DrawnTilings& how, AnimateOptions options) {
   CheckOptions asked;
   asked.touch = how.touch;
   asked.tell_touching = false;

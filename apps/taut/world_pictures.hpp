@@ -17,14 +17,14 @@ struct DrawnTilings {
 
 /// The bodies at `at`, or where the answer ends; not after that. Contacts and overlaps at that instant are marked.
 std::string world_picture(const Scene& scene, const Answer& answer, std::optional<double> at, const DrawnTilings& how,
-                          WorldDrawOptions options);
+                          DrawOptions options);
 
 /// From the start to where the answer ends; where the file would get large, with fewer frames, or without tilings.
 std::string world_animation(const Scene& scene, const Answer& answer, const DrawnTilings& how,
-                            WorldAnimateOptions options);
+                            AnimateOptions options);
 
 /// The same with the answer of check(), for that touch mode.
-std::string world_animation(const Scene& scene, const DrawnTilings& how, WorldAnimateOptions options = {});
+std::string world_animation(const Scene& scene, const DrawnTilings& how, AnimateOptions options = {});
 
 /// What the picture does not show of the time that was asked for, for standard error; empty if it shows all.
 std::string world_note(const Scene& scene, const Answer& answer, std::optional<double> at);

@@ -95,8 +95,8 @@ struct DrawnLabel {
   std::string text;
 };
 
-/// What draw_svg() shows, and how.
-struct DrawOptions {
+/// What a picture of a tiling shows, and how.
+struct TilingDrawOptions {
   int width = 800;           ///< pixels
   bool faces = true;         ///< colour the faces by depth in the chain tree
   bool certificates = true;  ///< mark the active corners
@@ -112,8 +112,8 @@ struct DrawOptions {
 };
 /// The path of a pinned geodesic cycle, stars where it is pinned.
 DrawnPath drawn_cycle(const Tiling& tiling, const GeodesicCycle& cycle);
-/// An SVG picture of bodies and tiling.
-std::string draw_svg(const Scene& scene, const Tiling& tiling, const DrawOptions& options = {});
+/// An SVG picture of two bodies and their tiling, at its time.
+std::string draw_svg(const Scene& scene, const Tiling& tiling, const TilingDrawOptions& options = {});
 
 /// A distance to mark in a picture: two points in world coordinates, and the text next to them.
 struct DrawnDistance {
@@ -128,8 +128,8 @@ struct DrawnRose {
   std::vector<std::array<double, 2>> arcs;
 };
 
-/// What draw_world_svg() shows, and how.
-struct WorldDrawOptions {
+/// What a picture of a scene shows, and how.
+struct DrawOptions {
   int width = 800;  ///< pixels
   bool legend = true;
   std::string title = {};  ///< instead of the bodies' names, or their number, and the time
@@ -144,15 +144,15 @@ struct WorldDrawOptions {
   std::vector<NearTiling> tilings = {};
 };
 /// The same options with the contacts and overlaps of an answer, those at the same time included.
-WorldDrawOptions marked(const Answer& answer, WorldDrawOptions options = {});
+DrawOptions marked(const Answer& answer, DrawOptions options = {});
 /// An SVG picture of all bodies of a scene at time t, parents composed: each in a colour of its own and, where there is
 /// room, with its number in the legend, which shows parents by indentation and lists the pairs that are ignored. The
 /// scene must be valid, and t within its time.
-std::string draw_world_svg(const Scene& scene, double t, const WorldDrawOptions& options = {});
+std::string draw_svg(const Scene& scene, double t, const DrawOptions& options = {});
 
-/// What animate_world_svg() shows, and how.
-struct WorldAnimateOptions {
-  WorldDrawOptions draw = {};  ///< contacts and overlaps are marked on the last frame
+/// What animate_svg() shows, and how.
+struct AnimateOptions {
+  DrawOptions draw = {};  ///< contacts and overlaps are marked on the last frame
   double seconds = 6;          ///< that the motion takes
   double pause = 2;            ///< seconds on the last frame, before it begins anew
   int frames = 120;            ///< between which bodies move straight and turn evenly; at least 2
@@ -164,7 +164,7 @@ struct WorldAnimateOptions {
 };
 /// The same as a picture that moves, without script, from the scene's start to `end` at an even pace, then from the
 /// beginning. Who prefers reduced motion sees the last frame.
-std::string animate_world_svg(const Scene& scene, double end, const WorldAnimateOptions& options = {});
+std::string animate_svg(const Scene& scene, double end, const AnimateOptions& options = {});
 
 /// Writes the whole text or nothing: to a temporary file next to `path`, then renamed. Throws InputError.
 void write_file(const std::string& path, const std::string& text);

@@ -69,7 +69,7 @@ Ref feature_of(const FeatureTuple& given) {
 /// Smaller than notebooks mind: with fewer frames, if need be.
 std::string animation(const taut::Scene& scene, double end, const Ending& ending) {
   constexpr std::size_t large = 200000;
-  taut::WorldAnimateOptions options;
+  taut::AnimateOptions options;
   options.ending = ending.words;
   options.free = ending.free;
   if (ending.contact) {
@@ -81,10 +81,10 @@ std::string animation(const taut::Scene& scene, double end, const Ending& ending
                                      {normal.first, normal.second}});
   }
   if (ending.overlap) options.draw.overlaps.push_back(*ending.overlap);
-  std::string svg = taut::animate_world_svg(scene, end, options);
+  std::string svg = taut::animate_svg(scene, end, options);
   while (svg.size() > large && options.frames > 30) {
     options.frames /= 2;
-    svg = taut::animate_world_svg(scene, end, options);
+    svg = taut::animate_svg(scene, end, options);
   }
   return svg;
 }

@@ -26,9 +26,9 @@ DrawnRose rose_of(const BodyDirections& body) {
 }  // namespace
 
 std::string clearance_svg(const Scene& scene, const Clearance& answer, int width) {
-  WorldDrawOptions options;
+  DrawOptions options;
   options.width = width;
-  if (!answer.nearest) return draw_world_svg(scene, scene.start, options);
+  if (!answer.nearest) return draw_svg(scene, scene.start, options);
   const NearestPoints& n = *answer.nearest;
   const std::string pair = io::pair_text(scene, n.pair[0], n.pair[1]);
   options.title = fmt::format("{}: the least distance, at t = {}", io::world_title(scene),
@@ -38,11 +38,11 @@ std::string clearance_svg(const Scene& scene, const Clearance& answer, int width
   } else {
     options.title += ", is 0: " + pair;
   }
-  return draw_world_svg(scene, n.time.lo, options);
+  return draw_svg(scene, n.time.lo, options);
 }
 
 std::string margin_svg(const Scene& scene, double clearance, const MarginAnswer& answer, int width) {
-  WorldDrawOptions options;
+  DrawOptions options;
   options.width = width;
   if (answer.outcome == Outcome::free)
     options.title = fmt::format("{}: all keep {:.7g} on [{}, {}]", io::world_title(scene), clearance,
@@ -50,7 +50,7 @@ std::string margin_svg(const Scene& scene, double clearance, const MarginAnswer&
                                 io::instant_text(scene.end, scene.start, scene.end, 7));
   if (!answer.first || answer.first->outcome == Outcome::undecided) {
     if (answer.outcome == Outcome::undecided) options.title = io::world_title(scene) + ": undecided";
-    return draw_world_svg(scene, scene.start, options);
+    return draw_svg(scene, scene.start, options);
   }
   const PairMargin& first = *answer.first;
   const double t = first.outcome == Outcome::contact ? first.time.lo : scene.start;
@@ -62,16 +62,16 @@ std::string margin_svg(const Scene& scene, double clearance, const MarginAnswer&
   } else {
     options.overlaps.push_back(first.bodies);
   }
-  return draw_world_svg(scene, t, options);
+  return draw_svg(scene, t, options);
 }
 
 std::string separation_svg(const Scene& scene, const Separation& answer, int width) {
-  WorldDrawOptions options;
+  DrawOptions options;
   options.width = width;
   options.title = io::world_title(scene) + ": free directions";
   if (answer.overlap) options.overlaps.push_back(*answer.overlap);
   for (const BodyDirections& body : answer.bodies) options.roses.push_back(rose_of(body));
-  return draw_world_svg(scene, scene.start, options);
+  return draw_svg(scene, scene.start, options);
 }
 
 }  // namespace taut

@@ -31,7 +31,7 @@ const char* const palettes[2][palette_size] = {
 
 class TilingPicture {
  public:
-  TilingPicture(const Scene& scene, const Tiling& tiling, const DrawOptions& options)
+  TilingPicture(const Scene& scene, const Tiling& tiling, const TilingDrawOptions& options)
       : scene_(scene),
         tiling_(tiling),
         options_(options),
@@ -57,7 +57,7 @@ class TilingPicture {
   }
 
  private:
-  static std::vector<Point> all_points(const Tiling& tiling, const DrawOptions& options) {
+  static std::vector<Point> all_points(const Tiling& tiling, const TilingDrawOptions& options) {
     if (!options.window.empty()) return options.window;
     std::vector<Point> points;
     for (const TilingVertex& v : tiling.vertices) points.push_back(v.position);
@@ -228,7 +228,7 @@ class TilingPicture {
 
   const Scene& scene_;
   const Tiling& tiling_;
-  const DrawOptions& options_;
+  const TilingDrawOptions& options_;
   io::SvgLegend legend_;
   io::SvgCanvas canvas_;
   std::vector<Point> pixels_;
@@ -247,7 +247,7 @@ DrawnPath drawn_cycle(const Tiling& tiling, const GeodesicCycle& cycle) {
   return path;
 }
 
-std::string draw_svg(const Scene& scene, const Tiling& tiling, const DrawOptions& options) {
+std::string draw_svg(const Scene& scene, const Tiling& tiling, const TilingDrawOptions& options) {
   return TilingPicture(scene, tiling, options).draw();
 }
 

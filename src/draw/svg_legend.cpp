@@ -42,7 +42,7 @@ PathLook path_look(DrawnPath::Kind kind) {
   }
 }
 
-SvgLegend::SvgLegend(const Scene& scene, const Tiling& tiling, const DrawOptions& options)
+SvgLegend::SvgLegend(const Scene& scene, const Tiling& tiling, const TilingDrawOptions& options)
     : width_(std::max(options.width, 200)), x_(left) {
   for (std::size_t b = 0; b < 2 && b < scene.bodies.size(); ++b) {
     add(fmt::format("<rect y=\"-10\" width=\"16\" height=\"11\" fill=\"{}\"/>", body_fill[b]),

@@ -20,7 +20,7 @@ PathLook path_look(DrawnPath::Kind kind);
 /// Entries in rows that fit the picture's width.
 class SvgLegend {
  public:
-  SvgLegend(const Scene& scene, const Tiling& tiling, const DrawOptions& options);
+  SvgLegend(const Scene& scene, const Tiling& tiling, const TilingDrawOptions& options);
 
   /// Room needed below the picture, in pixels.
   double height() const;

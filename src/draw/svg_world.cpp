@@ -14,7 +14,7 @@ namespace {
 
 class WorldPicture {
  public:
-  WorldPicture(const Scene& scene, double t, const WorldDrawOptions& options)
+  WorldPicture(const Scene& scene, double t, const DrawOptions& options)
       : scene_(scene),
         t_(t),
         options_(options),
@@ -67,7 +67,7 @@ class WorldPicture {
 
   const Scene& scene_;
   double t_;
-  const WorldDrawOptions& options_;
+  const DrawOptions& options_;
   io::WorldShapes shapes_;
   std::vector<BodyPose> poses_;
   io::WorldLegend legend_;
@@ -76,7 +76,7 @@ class WorldPicture {
 
 }  // namespace
 
-WorldDrawOptions marked(const Answer& answer, WorldDrawOptions options) {
+DrawOptions marked(const Answer& answer, DrawOptions options) {
   if (answer.contact) options.contacts.push_back(*answer.contact);
   if (answer.outcome == Outcome::overlap_at_start)
     options.overlaps.push_back(answer.pair.value_or(std::array<BodyId, 2>{0, 1}));
@@ -87,7 +87,7 @@ WorldDrawOptions marked(const Answer& answer, WorldDrawOptions options) {
   return options;
 }
 
-std::string draw_world_svg(const Scene& scene, double t, const WorldDrawOptions& options) {
+std::string draw_svg(const Scene& scene, double t, const DrawOptions& options) {
   return WorldPicture(scene, t, options).draw();
 }
 

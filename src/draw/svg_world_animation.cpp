@@ -26,7 +26,7 @@ constexpr int looks_between = 8;
 
 class WorldAnimation {
  public:
-  WorldAnimation(const Scene& scene, double end, const WorldAnimateOptions& options)
+  WorldAnimation(const Scene& scene, double end, const AnimateOptions& options)
       : scene_(scene),
         end_(end),
         options_(options),
@@ -202,7 +202,7 @@ class WorldAnimation {
 
   const Scene& scene_;
   double end_;
-  const WorldAnimateOptions& options_;
+  const AnimateOptions& options_;
   io::WorldShapes shapes_;
   std::vector<Frame> frames_;
   std::vector<std::vector<NearEdge>> lines_;
@@ -213,7 +213,7 @@ class WorldAnimation {
 
 }  // namespace
 
-std::string animate_world_svg(const Scene& scene, double end, const WorldAnimateOptions& options) {
+std::string animate_svg(const Scene& scene, double end, const AnimateOptions& options) {
   return WorldAnimation(scene, end, options).draw();
 }
 

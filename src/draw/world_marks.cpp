@@ -142,7 +142,7 @@ std::string body_shape(const std::vector<std::string>& parts, std::size_t body, 
 }
 
 std::string world_marks(const Scene& scene, const WorldShapes& shapes, const std::vector<BodyPose>& poses,
-                        const SvgCanvas& canvas, const WorldDrawOptions& options) {
+                        const SvgCanvas& canvas, const DrawOptions& options) {
   std::string out;
   for (const auto& pair : options.overlaps) out += overlap_mark(shapes, poses, canvas, pair);
   for (const Contact& contact : options.contacts) out += contact_mark(shapes, poses, canvas, contact);

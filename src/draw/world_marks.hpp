@@ -44,7 +44,7 @@ std::string sheet_shape(const WorldShapes& shapes, const PaintedSheet& sheet, co
 
 /// All marks of `options`, where the bodies are at `poses`.
 std::string world_marks(const Scene& scene, const WorldShapes& shapes, const std::vector<BodyPose>& poses,
-                        const SvgCanvas& canvas, const WorldDrawOptions& options);
+                        const SvgCanvas& canvas, const DrawOptions& options);
 
 /// The names of a few bodies, or how many there are.
 std::string world_title(const Scene& scene);

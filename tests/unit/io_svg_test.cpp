@@ -44,7 +44,7 @@ TEST(Svg, IsWellFormedAndNamesBodiesAndTime) {
   Contact contact;
   contact.point = {2, 1};
   contact.normal = {1, 0};
-  DrawOptions options;
+  TilingDrawOptions options;
   options.contact = &contact;
   const std::string svg = draw_svg(picture.scene, picture.tiling, options);
   EXPECT_TRUE(well_formed(svg)) << svg;
@@ -80,7 +80,7 @@ TEST(Svg, PathsLabelsAndWindow) {
   cycle.body = 1;
   cycle.vertices = {3, 4, 5};
   cycle.pinned = {1};
-  DrawOptions options;
+  TilingDrawOptions options;
   options.title = "a < b";
   options.paths = {drawn_cycle(picture.tiling, cycle), {{{0, 0}, {1, 1}}, DrawnPath::Kind::separator, false, {}}};
   options.labels = {{{1, 1}, "u & v"}};

@@ -75,7 +75,7 @@ TEST(PosesAt, RefusesParentsThatAreNotThereOrNeverEnd) {
 }
 
 TEST(SvgWorld, DrawsEveryBodyAndLeavesHolesOpen) {
-  const std::string svg = draw_world_svg(crank_scene(), 0.5);
+  const std::string svg = draw_svg(crank_scene(), 0.5);
   EXPECT_TRUE(well_formed(svg)) << svg;
   EXPECT_NE(svg.find("<title>rod, crank &lt;&amp;&gt;, room, t = 0.5</title>"), std::string::npos) << svg;
   EXPECT_EQ(count(svg, "fill-rule=\"evenodd\""), 3U);
@@ -89,7 +89,7 @@ TEST(SvgWorld, DrawsPartsThatOverlapAsOne) {
   Scene scene = crank_scene();
   scene.bodies[1].parts = {{unit_block, {}}, {moved(unit_block, 1, 0), {}}};
   scene.bodies[1].polygon.clear();
-  const std::string svg = draw_world_svg(scene, 0);
+  const std::string svg = draw_svg(scene, 0);
   EXPECT_TRUE(well_formed(svg));
   // Each part is a path of its own, or what both cover would be left open; then the lines inside are covered.
   EXPECT_EQ(count(svg, "<path"), 6U);
@@ -97,7 +97,7 @@ TEST(SvgWorld, DrawsPartsThatOverlapAsOne) {
 }
 
 TEST(SvgWorld, SaysWhoIsWhoseParentAndWhatIsIgnored) {
-  const std::string svg = draw_world_svg(crank_scene(), 0);
+  const std::string svg = draw_svg(crank_scene(), 0);
   EXPECT_NE(svg.find("ignored (2): rod x crank &lt;&amp;&gt;, room x every other body"), std::string::npos) << svg;
   // The rod comes below the crank, one step to the right.
   const std::size_t crank = svg.find(">crank &lt;&amp;&gt;</text>"), rod = svg.find(">rod</text>");
@@ -116,7 +116,7 @@ TEST(SvgWorld, CountsWhatIsTooMuchToList) {
     scene.bodies.push_back(named("body " + std::to_string(i), moved(unit_block, 3 * (i % 10), 3 * (i / 10))));
     if (i > 0) scene.ignore.push_back({"body 0", "body " + std::to_string(i)});
   }
-  const std::string svg = draw_world_svg(scene, 0);
+  const std::string svg = draw_svg(scene, 0);
   EXPECT_TRUE(well_formed(svg));
   EXPECT_EQ(count(svg, "fill-rule=\"evenodd\""), 75U);
   EXPECT_EQ(count(svg, "</text></g>\n") - count(svg, "font-size=\"11\""), 0U);
@@ -129,37 +129,37 @@ TEST(SvgWorld, CountsWhatIsTooMuchToList) {
 }
 
 TEST(SvgWorld, NamesThePairThatMeetsOrOverlaps) {
-  WorldDrawOptions options;
+  DrawOptions options;
   Contact contact;
   contact.vertex = {0, 1};
   contact.edge = {2, 1, 0, 1};
   contact.point = {18, 0};
   contact.normal = {-1, 0};
   options.contacts = {contact};
-  const std::string met = draw_world_svg(crank_scene(), 0, options);
+  const std::string met = draw_svg(crank_scene(), 0, options);
   EXPECT_TRUE(well_formed(met));
   EXPECT_NE(met.find(">contact: rod x room<"), std::string::npos) << met;
   options.contacts.clear();
   options.overlaps = {{0, 1}};
-  const std::string overlapping = draw_world_svg(crank_scene(), 0, options);
+  const std::string overlapping = draw_svg(crank_scene(), 0, options);
   EXPECT_NE(overlapping.find(">overlap: rod x crank &lt;&amp;&gt;<"), std::string::npos);
 }
 
 TEST(SvgWorldAnimation, MovesChildrenWithTheirParents) {
-  WorldAnimateOptions options;
+  AnimateOptions options;
   options.frames = 5;
   options.ending = "free <all>";
   Scene scene = crank_scene();
   // Ten turns between two frames are still ten turns.
   scene.bodies[1].motion = from_velocity({0, 0}, 4 * 360);
-  const std::string svg = animate_world_svg(scene, 1, options);
+  const std::string svg = animate_svg(scene, 1, options);
   EXPECT_TRUE(well_formed(svg));
   EXPECT_NE(svg.find("free &lt;all&gt;"), std::string::npos);
   EXPECT_NE(svg.find("prefers-reduced-motion"), std::string::npos);
   // Green is a claim.
   EXPECT_EQ(svg.find("#138a4e"), std::string::npos);
   options.free = true;
-  EXPECT_NE(animate_world_svg(scene, 1, options).find("#138a4e"), std::string::npos);
+  EXPECT_NE(animate_svg(scene, 1, options).find("#138a4e"), std::string::npos);
   std::vector<std::string> ends;
   for (const std::string& element : animations(svg)) {
     const auto values = split(attribute(element, "values"), ';'), times = split(attribute(element, "keyTimes"), ';');
@@ -175,12 +175,12 @@ TEST(SvgWorldAnimation, LinesOfTilingsMoveAndJumpWhereTheTilingChanges) {
   const Polygon square{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
   const Scene scene{0, 1, {{"P", square, {}}, {"Q", square, {{{{3, 4}, {}, AngleRotation{{0, 12.566370614359172}}}}}}}};
   for (const int count : {2, 3, 41}) {
-    WorldAnimateOptions options;
+    AnimateOptions options;
     options.frames = count;
     options.tilings = [](double t) {
       return std::vector<NearTiling>{{{0, 1}, false, {{{0, 1}, {1, t < 0.5 ? 0 : 1}, true}}}};
     };
-    const std::string svg = animate_world_svg(scene, 1, options);
+    const std::string svg = animate_svg(scene, 1, options);
     EXPECT_TRUE(well_formed(svg));
     std::vector<std::string> times, values;
     for (const std::string& element : animations(svg)) {
@@ -203,9 +203,9 @@ TEST(SvgWorldAnimation, LinesOfTilingsMoveAndJumpWhereTheTilingChanges) {
 
 TEST(SvgWorldAnimation, EndsWhereTheStillPictureIs) {
   const Scene scene = crank_scene();
-  WorldAnimateOptions options;
+  AnimateOptions options;
   options.frames = 3;
-  const std::string svg = animate_world_svg(scene, 1, options);
+  const std::string svg = animate_svg(scene, 1, options);
   const std::string last = svg.substr(svg.find("<g class=\"still\">"));
   // The room rests: it is at the same place in both layers.
   const auto room = [](const std::string& part) {
@@ -226,11 +226,11 @@ TEST(SvgWorld, PaintsPartsOfABodyOnTheirLayers) {
   const Scene scene = read_scene("examples/worlds/layers.json");
   const std::string fills[] = {"#2a6f9e", "#e59345", "#0f7d74"};
   for (const bool moving : {false, true}) {
-    WorldDrawOptions options;
+    DrawOptions options;
     options.legend = false;
-    WorldAnimateOptions animation;
+    AnimateOptions animation;
     animation.draw = options;
-    const std::string svg = moving ? animate_world_svg(scene, scene.end, animation) : draw_world_svg(scene, 0, options);
+    const std::string svg = moving ? animate_svg(scene, scene.end, animation) : draw_svg(scene, 0, options);
     std::vector<int> order;
     for (std::size_t at = svg.find("<g fill=\"#"); at != std::string::npos; at = svg.find("<g fill=\"#", at + 1))
       for (int body = 0; body < 3; ++body)
@@ -243,10 +243,10 @@ TEST(SvgWorld, PaintsPartsOfABodyOnTheirLayers) {
 }
 
 TEST(SvgWorld, NamesLayersInTheLegend) {
-  const std::string svg = draw_world_svg(read_scene("examples/worlds/layers.json"), 0, {});
+  const std::string svg = draw_svg(read_scene("examples/worlds/layers.json"), 0, {});
   EXPECT_NE(svg.find(">upper blade, z 2..4<"), std::string::npos);
   EXPECT_NE(svg.find(">pin, 3 layers<"), std::string::npos);
-  EXPECT_EQ(draw_world_svg(read_scene("examples/worlds/room.json"), 0, {}).find("layers"), std::string::npos);
+  EXPECT_EQ(draw_svg(read_scene("examples/worlds/room.json"), 0, {}).find("layers"), std::string::npos);
 }
 
 }  // namespace

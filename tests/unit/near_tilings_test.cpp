@@ -64,23 +64,23 @@ TEST(NearTilings, PicturesLeaveOutPartsThatAreFar) {
     EXPECT_TRUE(std::none_of(lines.begin(), lines.end(), [&](const auto& l) { return touches(l, 2); })) << t;
     const bool near = std::any_of(lines.begin(), lines.end(), [&](const auto& l) { return touches(l, 1); });
     EXPECT_EQ(near, t == 2.5);
-    WorldDrawOptions options;
+    DrawOptions options;
     options.tilings = tilings_of_near_pairs(scene, t);
-    EXPECT_NE(draw_world_svg(scene, t, options).find("class=\"tiling\""), std::string::npos);
+    EXPECT_NE(draw_svg(scene, t, options).find("class=\"tiling\""), std::string::npos);
   }
-  EXPECT_EQ(draw_world_svg(scene, 1).find("class=\"tiling\""), std::string::npos);
+  EXPECT_EQ(draw_svg(scene, 1).find("class=\"tiling\""), std::string::npos);
 }
 
 TEST(NearTilings, OfMovingPicturesAreAskedForEachFrame) {
   const Scene scene = room_with_cart();
-  WorldAnimateOptions options;
+  AnimateOptions options;
   options.frames = 5;
   std::vector<double> asked;
   options.tilings = [&](double t) {
     asked.push_back(t);
     return tilings_of_near_pairs(scene, t);
   };
-  const std::string svg = animate_world_svg(scene, 2, options);
+  const std::string svg = animate_svg(scene, 2, options);
   EXPECT_EQ(asked, (std::vector<double>{0, 0.5, 1, 1.5, 2}));
   EXPECT_NE(svg.find("class=\"tiling\""), std::string::npos);
 }
