@@ -136,17 +136,17 @@ std::vector<double> World::tilings(double t) const {
 
 std::string shapes_text(const Scene& scene, const CurvedWorld* curves) {
   const io::WorldShapes shapes(scene);
-  std::string order, inner, looks;
+  std::string order, inner, styles;
   for (const std::size_t body : shapes.painting_order()) order += (order.empty() ? "" : ",") + std::to_string(body);
   for (std::size_t b = 0; b < shapes.size(); ++b) {
     const io::InnerPoint& p = shapes.inner(b);
     inner += (b ? "," : "") + io::array_text({p.at.x, p.at.y, p.room, static_cast<double>(p.part)});
   }
-  for (std::size_t k = 0; k < io::body_looks; ++k) {
-    const io::BodyLook look = io::body_look(k);
-    looks += std::string(k ? "," : "") + "[\"" + look.fill + "\",\"" + look.line + "\",\"" + look.ink + "\"]";
+  for (std::size_t k = 0; k < io::body_styles; ++k) {
+    const io::BodyStyle style = io::body_style(k);
+    styles += std::string(k ? "," : "") + "[\"" + style.fill + "\",\"" + style.line + "\",\"" + style.ink + "\"]";
   }
-  return "{\"order\":[" + order + "],\"inner\":[" + inner + "],\"looks\":[" + looks + "]" +
+  return "{\"order\":[" + order + "],\"inner\":[" + inner + "],\"styles\":[" + styles + "]" +
          (curves ? ",\"bands\":" + bands_text(*curves) : "") + "}";
 }
 

@@ -375,7 +375,7 @@ std::vector<std::optional<Layers>> BodyMaker::heights_of(const std::vector<Named
 /// By how much the parts' areas exceed that of their union. What is drawn on material may be a hole to one who reads
 /// it otherwise: the report says how it was read.
 double BodyMaker::overlap_of(const std::string& name, const std::vector<Named>& parts) {
-  // Rings that are not valid have been told.
+  // Rings that are not valid have been reported.
   if (!import_.faults.empty()) return 0;
   double area = 0;
   for (const std::optional<Layers>& z : heights_of(parts)) {
@@ -441,7 +441,7 @@ void BodyMaker::add_body(const std::string& wanted, std::vector<Named> named) {
   import_.bodies.push_back(std::move(report));
 }
 
-/// Bodies are told apart by their names; a name is UTF-8 and has no line breaks in it.
+/// Bodies are distinguished by their names; a name is UTF-8 and has no line breaks in it.
 std::string BodyMaker::unused_name(const std::string& wanted) {
   std::string base;
   const std::string valid = is_utf8(wanted) ? wanted : to_utf8(wanted, "CP1252");

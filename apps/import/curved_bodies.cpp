@@ -15,7 +15,7 @@ using namespace internal;
 
 namespace {
 
-/// Each takes a look at all of the body.
+/// Each traverses all of the body.
 constexpr int most_touching = 200;
 
 /// A part with its curves, ring by ring.

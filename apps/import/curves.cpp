@@ -11,7 +11,7 @@ namespace taut::drawing {
 namespace {
 
 constexpr double full_turn = 2 * 3.14159265358979323846;
-/// Of halving; the deviation that is left is told anyhow.
+/// Of halving; the deviation that is left is reported anyhow.
 constexpr int deepest = 30;
 
 /// The longer half-axis of the ellipse: the largest singular value of (a b).

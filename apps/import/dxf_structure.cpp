@@ -93,7 +93,7 @@ const std::string& DxfStructure::layer_named(const std::string& name) {
   const auto [known, is_new] = spellings_.emplace(folded_case(name), name);
   if (!is_new && known->second != name && respelled_.insert(name).second)
     notes_.push_back("layers \"" + io::excerpt(known->second) + "\" and \"" + io::excerpt(name) +
-                     "\" are one: DXF does not tell capitals from small letters");
+                     "\" are one: DXF does not distinguish capitals from small letters");
   return known->second;
 }
 

@@ -113,7 +113,7 @@ class LineKeys {
     }
   }
 
-  /// The label of what is on the other side of a half-edge, or unknown if another way there will tell.
+  /// The label of what is on the other side of a half-edge, or unknown if another path there will decide.
   int across(int h) {
     const int here = faces_.map.face(h), there = faces_.map.face(h ^ 1), e = faces_.edge(h);
     const auto opposite = [&](int& label) { return label == unknown ? label = 1 - label_[slot(here)] : label; };

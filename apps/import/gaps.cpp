@@ -33,9 +33,9 @@ double nearest_along(const Point& a, const Point& b, const Point& p) {
   return std::clamp(((p.x - a.x) * x + (p.y - a.y) * y) / (x * x + y * y), 0.0, 1.0);
 }
 
-/// What is reached along lines from a node where they end and none goes on, and how long the way is.
-using Ways = std::map<int, double>;
-/// Two places are not joined if the way from one to the other is at most so many times as long as the gap: lines lead
+/// What is reached along lines from a node where they end and none goes on, and how long the path is.
+using PathLengths = std::map<int, double>;
+/// Two places are not joined if the path from one to the other is at most so many times as long as the gap: lines lead
 /// there anyway, and a chain of short lines would collapse.
 constexpr double direct = 3;
 
@@ -58,7 +58,7 @@ class GapCloser {
     find_neighbours();
     for (const auto& [apart, p, q] : pairs_) {
       for (const auto& [end, other] : {std::pair(p, q), std::pair(q, p)})
-        if (found.count(end) && !ways_at(end).count(other)) found.erase(end);
+        if (found.count(end) && !paths_at(end).count(other)) found.erase(end);
     }
     return found;
   }
@@ -122,29 +122,29 @@ class GapCloser {
     });
   }
 
-  Ways ways_from(int node) const {
-    Ways ways{{node, 0}};
+  PathLengths paths_from(int node) const {
+    PathLengths paths{{node, 0}};
     std::vector<int> reached{node};
     for (std::size_t i = 0; i < reached.size() && i < most_reached; ++i) {
-      const double way = ways.at(reached[i]);
+      const double path = paths.at(reached[i]);
       for (const int* out = incidence_.begin(reached[i]); out != incidence_.end(reached[i]); ++out) {
-        const double length = way + graph_.length(*out);
-        const auto [known, fresh] = ways.try_emplace(graph_.target(*out), length);
+        const double length = path + graph_.length(*out);
+        const auto [known, fresh] = paths.try_emplace(graph_.target(*out), length);
         if (!fresh) known->second = std::min(known->second, length);
         if (fresh && length <= direct * join_) reached.push_back(graph_.target(*out));
       }
     }
-    return ways;
+    return paths;
   }
 
-  const Ways& ways_at(int node) {
-    const auto known = ways_.find(node);
-    return known != ways_.end() ? known->second : ways_.emplace(node, ways_from(node)).first->second;
+  const PathLengths& paths_at(int node) {
+    const auto known = paths_.find(node);
+    return known != paths_.end() ? known->second : paths_.emplace(node, paths_from(node)).first->second;
   }
 
-  static bool leads_to(const Ways& ways, int node, double distance, double more = 0) {
-    const auto way = ways.find(node);
-    return way != ways.end() && way->second + more <= direct * distance;
+  static bool leads_to(const PathLengths& paths, int node, double distance, double more = 0) {
+    const auto path = paths.find(node);
+    return path != paths.end() && path->second + more <= direct * distance;
   }
 
   /// Sets of ends that are all near to each other, the nearest ones first: all go to one of them.
@@ -180,7 +180,7 @@ class GapCloser {
     for (const int p : some) {
       for (const int q : others) {
         const double distance = distance_of(graph_.point(p), graph_.point(q));
-        if (distance > join_ || leads_to(ways_at(p), q, distance)) return false;
+        if (distance > join_ || leads_to(paths_at(p), q, distance)) return false;
       }
     }
     return true;
@@ -201,7 +201,7 @@ class GapCloser {
   /// To the nearest node, or else to the nearest place on a line: where these will be, for their ends may move, too.
   void lead_to_line(int node, const std::vector<int>& edges) {
     if (taken_.count(node)) return;
-    const Ways& ways = ways_at(node);
+    const PathLengths& paths = paths_at(node);
     const Point& p = graph_.point(node);
     using Candidate = std::tuple<bool, double, int, double>;  // on a line, how far away, node or edge, where along it
     std::optional<Candidate> best;
@@ -213,12 +213,12 @@ class GapCloser {
       const Point &a = graph_.point(edge.from), &b = graph_.point(edge.to);
       for (const int other : {edge.from, edge.to}) {
         const double distance = distance_of(p, graph_.point(other));
-        if (!leads_to(ways, other, distance)) offer({false, distance, other, 0});
+        if (!leads_to(paths, other, distance)) offer({false, distance, other, 0});
       }
       const double along = nearest_along(a, b, p), distance = distance_of(p, between(a, b, along));
       const double length = graph_.length(2 * e);
-      if (!leads_to(ways, edge.from, distance, along * length) &&
-          !leads_to(ways, edge.to, distance, (1 - along) * length))
+      if (!leads_to(paths, edge.from, distance, along * length) &&
+          !leads_to(paths, edge.to, distance, (1 - along) * length))
         offer({true, distance, e, along});
     }
     if (!best) return;
@@ -236,7 +236,7 @@ class GapCloser {
   bool neighbours_known_ = false;
   std::vector<std::tuple<double, int, int>> pairs_;  ///< ends near each other
   std::map<int, std::vector<int>> near_edges_;       ///< of ends
-  std::map<int, Ways> ways_;                         ///< from ends
+  std::map<int, PathLengths> paths_;                 ///< from ends
   std::set<int> taken_;
   std::map<int, Point> moves_;
 };

@@ -78,10 +78,10 @@ struct Import {
   std::vector<InputError> faults;  ///< why the scene is not what was drawn, or may not be
 };
 
-/// Reads SVG, DXF, WKT and GeoJSON files, boards of KiCad, and maps of map_server by their YAML files, told by their
-/// endings. What is wrong with the drawings themselves is in `faults`: lines that were meant to be closed and are not,
-/// nothing that encloses an area, layers that can be read in two ways, rings that meet each other. Throws InputError
-/// naming the file, the line and the remedy where a file cannot be read.
+/// Reads SVG, DXF, WKT and GeoJSON files, boards of KiCad, and maps of map_server by their YAML files, distinguished by
+/// their endings. What is wrong with the drawings themselves is in `faults`: lines that were meant to be closed and are
+/// not, nothing that encloses an area, layers that can be read in two ways, rings that meet each other. Throws
+/// InputError naming the file, the line and the remedy where a file cannot be read.
 Import examine_files(const std::vector<std::string>& files, const ImportSettings& settings);
 
 /// The same of drawings that have been read.

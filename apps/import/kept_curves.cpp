@@ -37,7 +37,7 @@ CurveFinder::Match CurveFinder::match_at(const Polygon& ring, std::size_t first)
   if (known == by_first_.end()) return {};
   const std::vector<Point>& inner = known->second.curve->inner;
   if (inner.size() >= ring.size()) return {};
-  // Of one inner point both directions are the same to the eye: the ring's own ends tell.
+  // Of one inner point both directions are the same to the eye: the ring's own ends decide.
   for (const bool reversed : {known->second.reversed, !known->second.reversed}) {
     bool same = inner.size() > 1 ||
                 reversed == (ring[(first + ring.size() - 1) % ring.size()] == end_of(known->second.curve->segment));

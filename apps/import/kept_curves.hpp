@@ -1,5 +1,5 @@
-// Curves that stay curves. Lines are joined, nested and told apart as chords; afterwards the chords of each curve are
-// found again in the rings, by their inner points, and the curve takes their place.
+// Curves that stay curves. Lines are joined, nested and distinguished as chords; afterwards the chords of each curve
+// are found again in the rings, by their inner points, and the curve takes their place.
 #pragma once
 
 #include <map>

@@ -115,7 +115,7 @@ class Splitter {
     // are much longer than the distance at which a node is on them, so that they do not fold, and few rounds suffice.
     for (int round = 0; find_cuts(); ++round) {
       if (round == most_rounds)
-        throw InputError(file_, "lines lie too close to each other to be told apart", "check the drawing's units");
+        throw InputError(file_, "lines lie too close to each other to be distinguished", "check the drawing's units");
       for (std::vector<int>& walk : walks_) cut(walk);
     }
   }

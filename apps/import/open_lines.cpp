@@ -50,7 +50,7 @@ class FreeEnds {
   /// The nearest other end that is not paired, or none: from its place in the order, to both sides.
   Nearest nearest(std::size_t end) const {
     Nearest best;
-    const auto look = [&](std::size_t other) {
+    const auto examine = [&](std::size_t other) {
       if (paired_[other] != none || !may_meet(end, other)) return;
       const double d = span_between(at(end), at(other));
       if (d < best.distance)
@@ -62,11 +62,11 @@ class FreeEnds {
     for (bool more = true; more;) {
       more = false;
       if (below > 0 && at(end).x - at(ends_[below - 1]).x < best.next) {
-        look(ends_[--below]);
+        examine(ends_[--below]);
         more = true;
       }
       if (above < ends_.size() && at(ends_[above]).x - at(end).x < best.next) {
-        look(ends_[above++]);
+        examine(ends_[above++]);
         more = true;
       }
     }

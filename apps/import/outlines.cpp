@@ -175,7 +175,7 @@ class OutlineMaker {
     if (!any_alive() || out_.open.empty()) return;
     ClosedPieces closed(graph_, alive_);
     std::vector<bool> used(out_.open.size(), false);
-    const auto look = [&](Closure& closure, bool partly) {
+    const auto examine = [&](Closure& closure, bool partly) {
       const auto piece = closed.in_hull(closure.ring, partly);
       if (!piece || std::any_of(closure.lines.begin(), closure.lines.end(),
                                 [&](std::size_t k) { return closed.surround(out_.open[k].points); }))
@@ -192,13 +192,13 @@ class OutlineMaker {
                         std::any_of(closure.lines.begin(), closure.lines.end(),
                                     [this](std::size_t k) { return out_.open[k].is_straight(); })))
           continue;
-        look(closure, !several);
+        examine(closure, !several);
         if (closure.encloses) closures.push_back(std::move(closure));
       }
     };
     for (Closure& closure : closures)
       if (closure.lines.size() == 1 || closure.gap_length <= closure.line_length)
-        look(closure, closure.lines.size() == 1);
+        examine(closure, closure.lines.size() == 1);
     look_further(closures_of_groups(out_.open), false);
     look_further(find_closures(out_.open, true), true);
     std::erase_if(closures, [&used](const Closure& closure) {

@@ -36,7 +36,7 @@ SegmentStrips strips_of(const Segments& sides) {
   return SegmentStrips(std::move(boxes));
 }
 
-/// Do lines run along the boundary? Its vertices and the middles of its sides tell.
+/// Do lines run along the boundary? Its vertices and the middles of its sides decide.
 bool runs_along(const Segments& boundary, const Segments& lines, const SegmentStrips& strips, double near) {
   const auto on_line = [&](const Point& p) {
     bool any = false;

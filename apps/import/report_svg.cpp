@@ -1,4 +1,4 @@
-// A picture of what was read, and of what a person has to look at.
+// A picture of what was read, and of what a person has to check.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -336,7 +336,7 @@ class SvgReader {
     return false;
   }
 
-  /// What describes the drawing, or is of its program, is no part of it; other elements are told.
+  /// What describes the drawing, or is of its program, is no part of it; other elements are reported.
   void pass_over(const XmlElement& element) {
     static const std::set<std::string> described{"title", "desc", "metadata"};
     if (described.count(element.name) || element.name.find(':') != std::string::npos) return;

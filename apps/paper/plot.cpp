@@ -11,7 +11,7 @@ namespace taut::paper {
 using namespace internal;
 namespace {
 
-/// Okabe and Ito's palette, told apart by the colour-blind, without its yellow.
+/// Okabe and Ito's palette, distinguishable by the colour-blind, without its yellow.
 const char* const palette[] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9",
                                "#e69f00", "#4d4d4d", "#8c510a", "#7b3294"};
 constexpr int colours = 9;

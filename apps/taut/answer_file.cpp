@@ -41,7 +41,7 @@ std::uint64_t end_of_lines(int file, std::uint64_t size) {
   return 0;
 }
 
-/// Members of an object of JSON, as far as they are looked at here.
+/// Members of an object of JSON, as far as they are read here.
 class Members {
  public:
   Members(const io::JsonDocument& document, std::size_t object) : document_(document), object_(object) {}

@@ -39,7 +39,7 @@ class AnswerFile {
   std::string path_;
   int file_ = -1;
   std::string read_;                      ///< what was read last
-  std::size_t seen_ = 0;                  ///< how much of it was looked at
+  std::size_t seen_ = 0;                  ///< how much of it was read
   std::uint64_t position_ = 0, end_ = 0;  ///< of what is read next, and of the whole lines
   std::uint64_t line_ = 0;
   int error_ = 0;  ///< errno of what was not written

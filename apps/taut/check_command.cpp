@@ -156,7 +156,7 @@ void add_check(const Command& app, Action& action) {
   add_touch(command, arguments->options.touch);
   add_limits(command, arguments->options);
   command.add_flag("--json", arguments->json, "print one JSON object for each scene");
-  command.add_flag("--timing", arguments->timing, "tell how long reading, building and running took");
+  command.add_flag("--timing", arguments->timing, "say how long reading, building and running took");
   const auto shard = add_batch(command, *arguments);
   const auto pairs = [arguments](const std::string& which) { arguments->options.all_pairs = which == "all"; };
   command.add_choice("--pairs", {"first", "all"}, pairs,
@@ -169,7 +169,7 @@ void add_check(const Command& app, Action& action) {
   const Option time_tolerance =
       command
           .add_option("--time-tolerance", arguments->options.time_tolerance,
-                      "how well to tell the time of a contact of curves, as a share of the scene's time (1e-9);\n"
+                      "how precisely to find the time of a contact of curves, as a share of the scene's time (1e-9);\n"
                       "times of polygons are as exact as doubles, whatever it is")
           .value("X");
   const auto clearance = std::make_shared<std::optional<double>>();

@@ -170,7 +170,7 @@ void add_gen(const Command& app, Action& action) {
       "Example:\n"
       "  taut gen gears --teeth1 19 --teeth2 31 -o gears.json\n"
       "\n"
-      "Every scene is free of contact, or has one with --hit. `taut gen KIND --help` tells each kind's options.\n");
+      "Every scene is free of contact, or has one with --hit. `taut gen KIND --help` lists each kind's options.\n");
   add_gears(gen, action);
   add_planetary(gen, action);
   add_combs(gen, action);

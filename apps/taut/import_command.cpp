@@ -159,7 +159,9 @@ void add_import(const Command& app, Action& action) {
       app.add_command("import", "Make a scene of drawings and maps: SVG, DXF, KiCad, WKT, GeoJSON, PGM, PNG");
   const auto arguments = std::make_shared<ImportArguments>();
   drawing::ImportSettings& settings = arguments->settings;
-  command.add_option("FILE", arguments->files, "drawings and maps, told by their endings").required().value(" ");
+  command.add_option("FILE", arguments->files, "drawings and maps, distinguished by their endings")
+      .required()
+      .value(" ");
   const Option output =
       command.add_option("-o,--output", arguments->output, "write to FILE instead of standard output").value("FILE");
   add_reading_options(command, settings);

@@ -113,7 +113,7 @@ std::string time_text(const TimeInterval& time) {
   const auto end = std::mismatch(lo.begin(), lo.end(), hi.begin(), hi.end()).first;
   const std::string common(lo.begin(), end);
   const auto digits = std::count_if(common.begin(), common.end(), [](char c) { return c >= '0' && c <= '9'; });
-  // 0.9999 and 1.0001 share no digit at all; the point tells that the integer part is complete.
+  // 0.9999 and 1.0001 share no digit at all; the point shows that the integer part is complete.
   if (digits < 5 || common.find('.') == common.npos || exponent(lo) != exponent(hi)) {
     return fmt::format("[{}, {}]", time.lo, time.hi);
   }

@@ -8,7 +8,7 @@
 
 namespace taut::cli {
 
-/// An instant, with nine digits, or as many as tell it from those a billionth of the scene's time away.
+/// An instant, with nine digits, or as many as distinguish it from those a billionth of the scene's time away.
 std::string instant_text(const Scene& scene, double t);
 /// The digits on which both ends of an interval agree: "0.104166...".
 std::string time_text(const TimeInterval& time);

@@ -19,7 +19,7 @@ void add_schema(const Command& app, Action& action) {
       "\n"
       "Name the file in a scene, {\"$schema\":\"taut-scene-1.schema.json\",\"format\":...}, and editors complete its "
       "keys\n"
-      "and mark what is wrong. The schema knows the shape of a scene, not its geometry: `taut check` tells the "
+      "and mark what is wrong. The schema knows the shape of a scene, not its geometry: `taut check` says the "
       "rest.\n");
   command.on_chosen([&action, output] {
     action = [output] {

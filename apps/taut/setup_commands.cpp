@@ -9,7 +9,7 @@ namespace taut::cli {
 
 void add_completion(const Command& app, Action& action) {
   const Command command = app.add_command("completion", "Print completions for bash, zsh or fish");
-  command.hide();  // not in `taut --help`, which is to fit a screen; its last line tells
+  command.hide();  // not in `taut --help`, which is to fit a screen; its last line names it
   const auto shell = std::make_shared<std::string>();
   command
       .add_choice(

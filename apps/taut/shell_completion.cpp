@@ -51,7 +51,7 @@ std::string escaped(const std::string& text, const std::string& special) {
   return s;
 }
 
-// bash: the command is the words that are no options, as far as they are known; what was typed before tells whether a
+// bash: the command is the words that are no options, as far as they are known; what was typed before decides whether a
 // value is wanted.
 
 std::string bash_values(const CommandModel& command) {

@@ -68,7 +68,7 @@ void add_view(const Command& app, Action& action) {
       "  taut view scene.json --intervals --clearance --profile 200 --separate -o scene.html\n"
       "\n"
       "The page is one file, with the scene and the program inside; it opens without a network. The browser computes\n"
-      "the answer anew, by the same code. docs/viewer.md tells what is seen, and the keys.\n");
+      "the answer anew, by the same code. docs/viewer.md says what is seen, and the keys.\n");
   command.on_chosen([&action, arguments] { action = [arguments] { return run_view(*arguments); }; });
 }
 

@@ -17,7 +17,7 @@ struct VerifyArguments {
   double max_seconds = 1e300;
 };
 
-/// Adds all that the two programs take, and what `--help` tells.
+/// Adds all that the two programs take, and what `--help` says.
 void add_verify_options(const Command& command, VerifyArguments& arguments, const std::string& example);
 
 /// Checks the log and prints what it proves. Returns 0 if it is valid and proves what was expected, 1 if not, 3 if the

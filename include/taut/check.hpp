@@ -45,7 +45,7 @@ enum class EngineChoice {
   kinetic,    ///< this engine
   spacetime,  ///< this engine
   both,       ///< both, compared; a difference is a defect of taut and throws EngineDisagreement
-  either,     ///< both in turn, for longer and longer, until one of them has the answer, which says whose it is
+  either,     ///< both in slices, longer and longer, until one of them has the answer, which says whose it is
   usual,      ///< either, for each pair of a world; kinetic for two polygons where events are limited
 };
 
@@ -105,7 +105,7 @@ struct CheckOptions {
   /// world's frame; otherwise InputError. Of a scene with curves, events are those of the polygons that stand for
   /// them, run after run.
   Tracer* tracer = nullptr;
-  /// The wall time is that of each engine; with `either`, of both together.
+  /// The wall time is that of each engine; with `either`, of both in sum.
   Limits limits = {};
 };
 

@@ -74,7 +74,7 @@ std::vector<Keyframe> read_keyframes_csv(const std::string& path, const ReadLimi
 
 /// A line to draw over a picture.
 struct DrawnPath {
-  /// What the line is; it has a look of its own, and an entry in the legend.
+  /// What the line is; it has a style of its own, and an entry in the legend.
   enum class Kind : std::uint8_t {
     geodesic_0,  ///< a geodesic of body 0, in its colour
     geodesic_1,  ///< of body 1
@@ -152,11 +152,11 @@ std::string draw_svg(const Scene& scene, double t, const DrawOptions& options = 
 
 /// What animate_svg() shows, and how.
 struct AnimateOptions {
-  DrawOptions draw = {};  ///< contacts and overlaps are marked on the last frame
-  double seconds = 6;          ///< that the motion takes
-  double pause = 2;            ///< seconds on the last frame, before it begins anew
-  int frames = 120;            ///< between which bodies move straight and turn evenly; at least 2
-  std::string ending = {};     ///< shown with the last frame: how it ends, in words
+  DrawOptions draw = {};    ///< contacts and overlaps are marked on the last frame
+  double seconds = 6;       ///< that the motion takes
+  double pause = 2;         ///< seconds on the last frame, before it begins anew
+  int frames = 120;         ///< between which bodies move straight and turn evenly; at least 2
+  std::string ending = {};  ///< shown with the last frame: how it ends, in words
   /// The tilings to draw at an instant; called once for each frame. Between frames their lines move with the bodies.
   /// None are drawn without it.
   std::function<std::vector<NearTiling>(double)> tilings = {};

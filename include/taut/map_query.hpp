@@ -34,7 +34,7 @@ struct MapQueryOptions {
 struct MapFinding {
   /// `overlap_at_start` also where the robot, with closed touching, touches at the start.
   Outcome outcome = Outcome::free;
-  /// Certainly no collision before this time; of MapQuery::passes(), which does not look for the first one, just some
+  /// Certainly no collision before this time; of MapQuery::passes(), which does not search for the first one, just some
   /// such time.
   double free_until = 0;
   /// Of a contact, which certainly happens by this time; else the end of the time that was asked about.
@@ -85,8 +85,8 @@ class MapQuery {
   /// InputError if a motion is not valid there.
   MapFinding along(std::span<const Motion> motions, double start, double end);
 
-  /// Is it free? The same without looking for the first collision, which is cheaper where there is one: a
-  /// few places on the way are looked at first.
+  /// Is it free? The same without searching for the first collision, which is cheaper where there is one: a
+  /// few places on the path are tested first.
   MapFinding passes(const PoseSE2& from, const PoseSE2& to) { return passes(std::span(&from, 1), std::span(&to, 1)); }
   /// The same for each link, seen from its parent.
   MapFinding passes(std::span<const PoseSE2> from, std::span<const PoseSE2> to);

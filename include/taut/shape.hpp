@@ -19,7 +19,7 @@ namespace taut {
 /// Immutable to its users, and safe to share between scenes and threads.
 
 /// Prepares a polygon, O(n log n). Put the result into Body::prepared of any scene, and leave Body::polygon empty:
-/// checks and simulations then start without looking at what the shapes have in themselves, and copy nothing of them.
+/// checks and simulations then start without analysing the shapes again, and copy nothing of them.
 /// For bodies whose hulls are apart, that takes time for the vertices of the hulls; where they interlock, what lies
 /// near the other body is done anew. Throws InputError, as validate_polygon() does; `name` is used in messages.
 std::shared_ptr<const internal::PreparedShape> prepare(const Polygon& polygon, const std::string& name = "shape");

@@ -1,4 +1,4 @@
-// The kinetic data structure, online: advance, look, change the plan.
+// The kinetic data structure, online: advance, inspect, change a motion.
 #pragma once
 
 #include <array>

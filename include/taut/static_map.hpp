@@ -17,7 +17,7 @@ struct OccupancyGrid;
 /// planner. Copies share everything; maps and what is prepared for them are safe to share between threads.
 ///
 /// A question answers as check() does about the scene of the map's bodies, in their order, and the moving body after
-/// them: first contact, witness, enclosures, `free` as a proof, all of it the same, without looking at what is far
+/// them: first contact, witness, enclosures, `free` as a proof, all of it the same, without testing what is far
 /// away.
 ///
 ///     const StaticMap map(obstacles);
@@ -43,7 +43,7 @@ class StaticMap {
   const Body& body(BodyId id) const;
 
   class Mover;
-  /// The body's shape, as validate() takes it; its motion and its parent are not looked at. O(n log n), once. Throws
+  /// The body's shape, as validate() takes it; its motion and its parent are ignored. O(n log n), once. Throws
   /// InputError, also where its coordinates are beyond the map's reach.
   Mover prepare(const Body& body) const;
 

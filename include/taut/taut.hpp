@@ -34,7 +34,7 @@
 // Objects with memory
 //   taut/static_map.hpp  one body among many that rest, asked often
 //   taut/map_query.hpp   what a planner asks of such a map: places, straight motions, chains of links
-//   taut/simulation.hpp  the motion online: step, advance, change a motion, look at the tiling
+//   taut/simulation.hpp  the motion online: step, advance, change a motion, get the tiling
 //
 // Scenes
 //   taut/scene.hpp       bodies, motions, time

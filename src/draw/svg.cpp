@@ -1,4 +1,4 @@
-// A picture of the tiling. Elements of one look share one path each: ten thousand vertices make about twenty elements.
+// A picture of the tiling. Elements of one style share one path each: ten thousand vertices make about twenty elements.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -182,16 +182,16 @@ class TilingPicture {
     std::string d;
     for (const Point& p : path.points) d += (d.empty() ? "M" : "L") + pixel_text(canvas_.pixel(p));
     if (path.closed) d += "Z";
-    const io::PathLook look = io::path_look(path.kind);
+    const io::PathStyle style = io::path_style(path.kind);
     // A light seam sets the line off from what lies below it.
     for (const auto& [colour, width, opacity] :
-         {std::tuple{"#ffffff", look.width * 1.8, 0.75}, std::tuple{look.colour, look.width, 1.0}}) {
+         {std::tuple{"#ffffff", style.width * 1.8, 0.75}, std::tuple{style.colour, style.width, 1.0}}) {
       out_ += fmt::format(
           "<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{:.2g}\" stroke-opacity=\"{}\" "
           "stroke-linejoin=\"round\" stroke-linecap=\"round\"{}/>\n",
-          d, colour, width, opacity, look.dashed ? " stroke-dasharray=\"6 5\"" : "");
+          d, colour, width, opacity, style.dashed ? " stroke-dasharray=\"6 5\"" : "");
     }
-    for (const Point& p : path.stars) draw_star(canvas_.pixel(p), look.colour);
+    for (const Point& p : path.stars) draw_star(canvas_.pixel(p), style.colour);
   }
 
   void draw_star(const Point& at, const char* colour) {

@@ -25,7 +25,7 @@ std::string arc(const char* colour) {
 
 }  // namespace
 
-PathLook path_look(DrawnPath::Kind kind) {
+PathStyle path_style(DrawnPath::Kind kind) {
   switch (kind) {
     case DrawnPath::Kind::geodesic_0:
       return {geodesic_colour[0], 3.4, false, "geodesic"};
@@ -60,11 +60,11 @@ SvgLegend::SvgLegend(const Scene& scene, const Tiling& tiling, const TilingDrawO
   for (const DrawnPath& path : options.paths) {
     if (std::find(seen.begin(), seen.end(), path.kind) != seen.end()) continue;
     seen.push_back(path.kind);
-    const PathLook look = path_look(path.kind);
+    const PathStyle style = path_style(path.kind);
     const bool geodesic = path.kind == DrawnPath::Kind::geodesic_0 || path.kind == DrawnPath::Kind::geodesic_1;
     const std::size_t body = path.kind == DrawnPath::Kind::geodesic_1 ? 1 : 0;
     const std::string of = geodesic && body < scene.bodies.size() ? " of " + excerpt(scene.bodies[body].name, 30) : "";
-    add(line(look.colour, look.width), look.label + of);
+    add(line(style.colour, style.width), style.label + of);
   }
   if (options.contact) add(line(contact_colour, 2.5), "contact");
 }

@@ -8,14 +8,14 @@
 
 namespace taut::internal::io {
 
-/// How a path over the picture looks.
-struct PathLook {
+/// How a path over the picture is drawn.
+struct PathStyle {
   const char* colour;
   double width;
   bool dashed;
   const char* label;
 };
-PathLook path_look(DrawnPath::Kind kind);
+PathStyle path_style(DrawnPath::Kind kind);
 
 /// Entries in rows that fit the picture's width.
 class SvgLegend {

@@ -21,7 +21,7 @@ struct PlotPanel {
   std::string value_axis() const;
 };
 
-/// The head of a chart of that size, with its title, on a white ground, and how its text looks.
+/// The head of a chart of that size, with its title, on a white ground, and how its text is set.
 std::string chart_head(double width, double height, const std::string& title);
 std::string chart_text(double x, double y, const std::string& what, const char* anchor = "start");
 /// With two decimals, as short as it can be.

@@ -1,9 +1,9 @@
-// The looks of the picture, shared by picture and legend.
+// The styles of the picture, shared by picture and legend.
 #pragma once
 
 namespace taut::internal::io {
 
-/// Those of the first two bodies in pictures of many: see body_look().
+/// Those of the first two bodies in pictures of many: see body_style().
 inline constexpr const char* body_fill[2] = {"#2a6f9e", "#e59345"};
 inline constexpr const char* body_line[2] = {"#032e4b", "#683e15"};
 inline constexpr const char* tiling_colour = "#5f6b76";

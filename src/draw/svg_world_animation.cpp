@@ -21,8 +21,8 @@ using namespace internal;
 
 namespace {
 
-/// Instants between two frames at which angles are looked at, so that a fast turn is not taken for a slow one.
-constexpr int looks_between = 8;
+/// Instants between two frames at which angles are sampled, so that a fast turn is not taken for a slow one.
+constexpr int samples_between = 8;
 
 class WorldAnimation {
  public:
@@ -55,18 +55,18 @@ class WorldAnimation {
   double legend_height() const { return options_.draw.legend ? legend_.height() : 0; }
 
   std::vector<Frame> frames() const {
-    const int count = std::max(options_.frames, 2), looks = (count - 1) * looks_between;
+    const int count = std::max(options_.frames, 2), samples = (count - 1) * samples_between;
     Frame now{poses_at(scene_, scene_.start), std::vector<double>(shapes_.size(), 0.0)};
     std::vector<Frame> out{now};
-    for (int k = 1; k <= looks; ++k) {
-      const double t = k == looks ? end_ : scene_.start + (end_ - scene_.start) * k / looks;
+    for (int k = 1; k <= samples; ++k) {
+      const double t = k == samples ? end_ : scene_.start + (end_ - scene_.start) * k / samples;
       const std::vector<BodyPose> next = poses_at(scene_, t);
       for (std::size_t b = 0; b < next.size(); ++b) {
         const Point &x = now.poses[b].axis, &y = next[b].axis;
         now.degrees[b] += std::atan2(x.x * y.y - x.y * y.x, x.x * y.x + x.y * y.y) * 180 / std::numbers::pi;
       }
       now.poses = next;
-      if (k % looks_between == 0) out.push_back(now);
+      if (k % samples_between == 0) out.push_back(now);
     }
     return out;
   }

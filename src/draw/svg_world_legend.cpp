@@ -128,14 +128,14 @@ void WorldLegend::add_notes() {
 double WorldLegend::height() const { return 10 + row_step * static_cast<double>(rows_ + notes_.size()); }
 
 std::string WorldLegend::draw_entry(const Entry& entry, double top) const {
-  const BodyLook look = body_look(entry.body);
+  const BodyStyle style = body_style(entry.body);
   const double x = left_edge + column_width() * static_cast<double>(entry.column) + indentation * entry.depth;
   const double y = top + row_step * static_cast<double>(entry.row + 1);
   return fmt::format(
       "<g transform=\"translate({:.0f} {:.0f})\"><rect y=\"-11\" width=\"{}\" height=\"14\" fill=\"{}\" "
       "stroke=\"{}\"/>"
       "<text x=\"{}\" text-anchor=\"middle\" font-size=\"11\" fill=\"{}\">{}</text><text x=\"{}\">{}</text></g>\n",
-      x, y, swatch, look.fill, look.line, swatch / 2, look.ink, entry.body + 1, swatch + 6,
+      x, y, swatch, style.fill, style.line, swatch / 2, style.ink, entry.body + 1, swatch + 6,
       escape_xml(excerpt(scene_.bodies[entry.body].name, longest_name) + entry.layers));
 }
 

@@ -129,11 +129,11 @@ std::string world_head(const SvgCanvas& canvas, const std::string& title, bool m
 }
 
 std::string body_shape(const std::vector<std::string>& parts, std::size_t body, double line_width) {
-  const BodyLook look = body_look(body);
+  const BodyStyle style = body_style(body);
   std::string out = fmt::format(
       "<g fill=\"{}\" fill-rule=\"evenodd\" stroke=\"{}\" stroke-width=\"{:.3g}\" stroke-linejoin=\"round\" "
       "opacity=\"0.93\">",
-      look.fill, look.line, parts.size() > 1 ? 1.6 * line_width : line_width);
+      style.fill, style.line, parts.size() > 1 ? 1.6 * line_width : line_width);
   for (const std::string& part : parts) out += "<path d=\"" + part + "\"/>";
   if (parts.size() > 1) {
     for (const std::string& part : parts) out += "<path d=\"" + part + "\" stroke=\"none\"/>";
@@ -176,8 +176,9 @@ bool has_room(const InnerPoint& inner, double scale, std::size_t body) {
 }
 
 std::string number_mark(std::size_t body) {
-  const BodyLook look = body_look(body);
-  return fmt::format("<text y=\"4\" text-anchor=\"middle\" font-size=\"11\" fill=\"{}\">{}</text>", look.ink, body + 1);
+  const BodyStyle style = body_style(body);
+  return fmt::format("<text y=\"4\" text-anchor=\"middle\" font-size=\"11\" fill=\"{}\">{}</text>", style.ink,
+                     body + 1);
 }
 
 }  // namespace taut::internal::io

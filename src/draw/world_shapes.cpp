@@ -15,13 +15,13 @@ namespace taut::internal::io {
 
 namespace {
 
-constexpr BodyLook looks[body_looks] = {
+constexpr BodyStyle styles[body_styles] = {
     {"#2a6f9e", "#032e4b", "#fff"}, {"#e59345", "#683e15", "#000"}, {"#0f7d74", "#00423c", "#fff"},
     {"#f0d762", "#675b1e", "#000"}, {"#683b6a", "#341c35", "#fff"}, {"#7abee4", "#2e5366", "#000"},
     {"#966042", "#472b1b", "#fff"}, {"#f5accc", "#6d4758", "#000"}, {"#1e4070", "#0f203a", "#fff"},
     {"#6ca45a", "#2c4923", "#000"}, {"#838a8f", "#3a3d40", "#000"}, {"#daeaa8", "#5b6342", "#000"}};
 
-/// Lines on which an inner point is looked for, in each direction, in tenths of the way; the middle first.
+/// Lines on which an inner point is searched, in each direction, in tenths of the width; the middle first.
 constexpr int scan_lines[] = {5, 4, 6, 3, 7, 2, 8, 1, 9};
 /// What lies nearer to the middle is given up for so much more room only.
 constexpr double worth_it = 1.1;
@@ -88,7 +88,7 @@ std::vector<std::vector<Polygon>> rings_of(const Body& body) {
 
 }  // namespace
 
-BodyLook body_look(std::size_t body) { return looks[body % body_looks]; }
+BodyStyle body_style(std::size_t body) { return styles[body % body_styles]; }
 
 WorldShapes::WorldShapes(const Scene& scene) {
   for (const Body& body : scene.bodies) {

@@ -10,14 +10,14 @@
 
 namespace taut::internal::io {
 
-struct BodyLook {
+struct BodyStyle {
   const char *fill, *line;
   const char* ink;  ///< for what is written on the fill
 };
 /// Colours that follow each other differ in lightness as well as in hue, so that neighbours in the legend
 /// differ in grey, too. There are twelve; then they repeat, and the numbers distinguish the bodies.
-BodyLook body_look(std::size_t body);
-inline constexpr std::size_t body_looks = 12;
+BodyStyle body_style(std::size_t body);
+inline constexpr std::size_t body_styles = 12;
 
 /// A point deep inside a body, in its own coordinates, and how far it is from the boundary.
 struct InnerPoint {

@@ -30,7 +30,7 @@ class BoxTree {
   void each_near(const BoxTree& other, double reach, const std::function<void(int, int)>& visit) const;
 
  private:
-  /// Small runs are looked at box by box.
+  /// Small runs are tested box by box.
   static constexpr std::uint32_t leaf = 4;
   static constexpr int several = -1;  ///< of boxes: they are in no group
   struct Entry {

@@ -64,7 +64,7 @@ Vector corner_displacement(const Edge& in, const Edge& on, double side, std::uin
   return {alpha * in.unit.x + beta * on.unit.x, alpha * in.unit.y + beta * on.unit.y};
 }
 
-/// Are both edges moved by between delta and 2 delta, and the vertex within the limit? Blunt corners need no look: see
+/// Are both edges moved by between delta and 2 delta, and the vertex within the limit? Blunt corners need no test: see
 /// corner_displacement().
 bool keeps_the_law(const Edge& in, const Edge& on, const Vector& d, double side, double delta) {
   const double way = std::max(std::fabs(d.x), std::fabs(d.y));

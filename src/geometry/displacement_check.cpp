@@ -21,7 +21,7 @@
 //
 // Where coordinates are coarse that is seen at once: has_room(). Else edges whose boxes, with room on all sides, do not
 // meet are clear, and of the others doubles show nearly all to be: a point that is certainly on one side of a line is
-// far from it (orientation_in_doubles()). Those that are not shown to be clear are looked at exactly, one by one, and
+// far from it (orientation_in_doubles()). Those that are not shown to be clear are tested exactly, one by one, and
 // then so is the side on which R' lies.
 #include "geometry/displacement_check.hpp"
 
@@ -80,7 +80,7 @@ class RingCheck {
     }
     return std::nullopt;
   }
-  /// No edges had to be looked at exactly.
+  /// No edges had to be tested exactly.
   bool all_clear() const { return all_clear_; }
 
  private:

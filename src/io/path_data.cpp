@@ -95,7 +95,7 @@ class PathDataReader {
 
   double number() {
     skip();
-    // A path may be long: only what may be a number is looked at.
+    // A path may be long: only what may be a number is read.
     const std::string near(data_.substr(position_, 400));
     std::size_t length = 0;
     const auto value = io::scan_number(near, &length);

@@ -49,8 +49,8 @@ void DormantCertificates::note_motion(const MotionSegment& segment, double until
   }
 }
 
-DormantCertificates::Due DormantCertificates::look(const MotionSegment& segment, double t, std::size_t active,
-                                                   bool all_due) {
+DormantCertificates::Due DormantCertificates::evaluate(const MotionSegment& segment, double t, std::size_t active,
+                                                       bool all_due) {
   until_ = region_ ? region_->left_at(segment, t) : t;
   dormant_before_ = dormant_;
   if (until_ > t) {

@@ -39,14 +39,14 @@ class DormantCertificates {
   /// future range.
   void note_motion(const MotionSegment& segment, double until);
 
-  /// The action that the engine must take after look().
+  /// The action that the engine must take after evaluate().
   enum class Due : unsigned char {
     nothing,     ///< nothing has changed
     those_open,  ///< the certificates of open() are due
     as_marked,   ///< is_dormant() is new; certificates that were_dormant() and no longer are dormant are due, too
   };
   /// Determines which of the `active` certificates are dormant from t on. `all_due`: none is scheduled yet.
-  Due look(const MotionSegment& segment, double t, std::size_t active, bool all_due);
+  Due evaluate(const MotionSegment& segment, double t, std::size_t active, bool all_due);
   bool is_dormant(CertificateId id) const { return dormant_[id.value]; }
   bool was_dormant(CertificateId id) const { return dormant_before_[id.value]; }
   /// The certificates that are not dormant. Some of them may have been removed.

@@ -205,7 +205,7 @@ void Engine::enter_segment() {
 /// that were not dormant already are.
 void Engine::check_dormant(double t, bool all_due) {
   using Due = DormantCertificates::Due;
-  const Due due = dormant_.look(segment(), t, active_, all_due);
+  const Due due = dormant_.evaluate(segment(), t, active_, all_due);
   if (due == Due::nothing) return;
   const std::vector<CertificateId>& open = dormant_.open();
   const bool those_open = due == Due::those_open;

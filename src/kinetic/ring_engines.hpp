@@ -18,7 +18,7 @@ namespace taut::internal {
 /// its own engine. A hole that contains a part of the other body takes part as the container around it.
 class RingEngines {
  public:
-  /// Builds the tilings at the start of the segments, which are those of the plan. The plan, the geometry and the
+  /// Builds the tilings at the start of the segments, which are those of the motion. The motion, the geometry and the
   /// observer, which may be null, must outlive this object. Throws Undecidable.
   RingEngines(const BodyPair& bodies, const PairGeometry& geometry, Offset offset, MotionSegments segments,
               EngineObserver* observer = nullptr);

@@ -39,7 +39,7 @@ void Budget::check() const {
   if (outer_) outer_->check();
 }
 
-void Budget::look() {
+void Budget::test_limits() {
   check();
   if (spent >= end_) throw Interrupted{"the effort was used up"};
 }
@@ -55,7 +55,7 @@ void checkpoint(std::uint64_t work) {
   spent += work;
   if (!innermost || spent < next_look) return;
   next_look = spent + between_looks;
-  innermost->look();
+  innermost->test_limits();
 }
 
 void count_work(std::uint64_t work) { spent += work; }

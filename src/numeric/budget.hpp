@@ -32,7 +32,7 @@ class Budget {
 
  private:
   friend void checkpoint(std::uint64_t);
-  void look();
+  void test_limits();
 
   const std::atomic<bool>* stop_ = nullptr;
   bool limited_ = false;

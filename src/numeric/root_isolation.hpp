@@ -188,7 +188,7 @@ class SignChangeSearch {
     for (; !ends_.empty() && !root_ && !exhausted_; --budget_) {
       if (budget_ == 0) throw PrecisionExhausted{};
       checkpoint(detail::work_of_step);
-      const bool excluded = look(f, cut);
+      const bool excluded = evaluate(f, cut);
       if (excluded) leave();
     }
     if (exhausted_) throw PrecisionExhausted{};
@@ -199,7 +199,7 @@ class SignChangeSearch {
   /// Examines the first remaining interval. Returns true if the sign holds in it. Otherwise the interval is cut, or it
   /// contains the root.
   template <class Function, class Cut>
-  bool look(const Function& f, const Cut& cut) {
+  bool evaluate(const Function& f, const Cut& cut) {
     using B = Ball<Real>;
     const Real hi = ends_.back();
     if (!(hi > lo_)) return true;

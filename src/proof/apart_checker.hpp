@@ -23,7 +23,7 @@ struct HalvedTime {
 /// The windows of one stretch and its halves, each made once. Where a model of the motion leaves out no more than
 /// rounding does, all halves of its window are seen by it: to make one costs as much as to see a hundred. Which model
 /// that is, and so the window, depends on the stretch alone, and not on what was asked for before: who writes a log
-/// looks at more windows than who checks it.
+/// evaluates more windows than its checker.
 class HalvedWindows {
  public:
   explicit HalvedWindows(const MotionSegment& segment) : segment_(segment) {}

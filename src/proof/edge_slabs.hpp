@@ -24,17 +24,17 @@ class EdgeSlabs {
   const Point& begin(std::size_t e) const { return polygon_[e]; }
   const Point& end(std::size_t e) const { return polygon_[e + 1 == polygon_.size() ? 0 : e + 1]; }
 
-  /// Calls `look` with every edge that may meet the box, some of them more than once, until it returns false; false
+  /// Calls `visit` with every edge that may meet the box, some of them more than once, until it returns false; false
   /// then.
-  template <class Look>
-  bool all_near(const Extent& x, const Extent& y, const Look& look) const {
+  template <class Visit>
+  bool all_near(const Extent& x, const Extent& y, const Visit& visit) const {
     const std::size_t last = slab_of(y.hi);
     for (std::size_t s = slab_of(y.lo); s <= last; ++s) {
       for (const std::uint32_t e : slabs_[s]) {
         const Point &a = begin(e), &b = end(e);
         if (std::max(a.x, b.x) < x.lo || std::min(a.x, b.x) > x.hi) continue;
         if (std::max(a.y, b.y) < y.lo || std::min(a.y, b.y) > y.hi) continue;
-        if (!look(e)) return false;
+        if (!visit(e)) return false;
       }
     }
     return true;

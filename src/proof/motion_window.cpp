@@ -55,29 +55,29 @@ SecondOrder from_range(const Ball<double>& x, const Ball<double>& y) { return {{
 double distance_from_one(const Ball<double>& x) { return std::fabs(x.mid - 1) + x.rad; }
 
 /// The segment sees a vertex at v + offset, up to rounding: the offsets become part of the shift.
-WindowModel model_of(const SecondOrder& shift, const SecondOrder& turn, double scale_error, const ExactVector& fixed,
-                     const ExactVector& moving, double r) {
+WindowModel model_of(const SecondOrder& shift, const SecondOrder& rotation, double scale_error,
+                     const ExactVector& fixed, const ExactVector& moving, double r) {
   const Vector from{fixed.x, fixed.y}, own{moving.x, moving.y};
   WindowModel s;
-  s.shift = shift.value + turn.value * own - from;
-  s.shift_rate = shift.rate + turn.rate * own;
-  s.shift_second = shift.second + turn.second * own;
-  s.turn = turn.value;
-  s.turn_rate = turn.rate;
-  s.turn_second = turn.second;
+  s.shift = shift.value + rotation.value * own - from;
+  s.shift_rate = shift.rate + rotation.rate * own;
+  s.shift_second = shift.second + rotation.second * own;
+  s.rotation = rotation.value;
+  s.rotation_rate = rotation.rate;
+  s.rotation_second = rotation.second;
   const auto reach = [r](const SecondOrder& f) {
     return l1_norm(f.value) + r * (l1_norm(f.rate) + r / 2 * l1_norm(f.second));
   };
-  s.size = reach(shift) + reach(turn) * (1 + l1_norm(own)) + l1_norm(from);
-  s.turn_error = known(turn.error);
+  s.size = reach(shift) + reach(rotation) * (1 + l1_norm(own)) + l1_norm(from);
+  s.rotation_error = known(rotation.error);
   s.scale_error = known(scale_error);
-  s.shift_error = known(shift.error + turn.error * l1_norm(own) + scale_error * l1_norm(from));
+  s.shift_error = known(shift.error + rotation.error * l1_norm(own) + scale_error * l1_norm(from));
   return s;
 }
 
 /// conj(x_P) D, conj(x_Q) D, and c + i s; and how far the frames' scales are from 1.
 struct Motion {
-  SecondOrder seen_from_p, seen_from_q, turn;
+  SecondOrder seen_from_p, seen_from_q, rotation;
   double scale_error_p = 0, scale_error_q = 0;
 
   static Motion of_model(const FrameModel& m, double middle, double r) {
@@ -105,7 +105,7 @@ struct Motion {
   }
 
   bool bounded() const {
-    return std::isfinite(seen_from_p.error + seen_from_q.error + turn.error + scale_error_p + scale_error_q);
+    return std::isfinite(seen_from_p.error + seen_from_q.error + rotation.error + scale_error_p + scale_error_q);
   }
 };
 
@@ -113,12 +113,12 @@ struct Motion {
 std::pair<WindowModel, WindowModel> models(const MotionSegment& segment, const Motion& given,
                                            const MotionWindow& window) {
   const Motion motion = given.bounded() ? given : Motion::of_range(segment, window.from(), window.to());
-  SecondOrder back = motion.seen_from_q, turn_back = motion.turn;
+  SecondOrder back = motion.seen_from_q, rotation_back = motion.rotation;
   for (Vector* v : {&back.value, &back.rate, &back.second}) *v = -*v;
-  for (Vector* v : {&turn_back.value, &turn_back.rate, &turn_back.second}) *v = conj(*v);
+  for (Vector* v : {&rotation_back.value, &rotation_back.rate, &rotation_back.second}) *v = conj(*v);
   const double r = window.half();
-  return {model_of(motion.seen_from_p, motion.turn, motion.scale_error_p, segment.offset_p, segment.offset_q, r),
-          model_of(back, turn_back, motion.scale_error_q, segment.offset_q, segment.offset_p, r)};
+  return {model_of(motion.seen_from_p, motion.rotation, motion.scale_error_p, segment.offset_p, segment.offset_q, r),
+          model_of(back, rotation_back, motion.scale_error_q, segment.offset_q, segment.offset_p, r)};
 }
 
 }  // namespace
@@ -142,7 +142,7 @@ MotionWindow::MotionWindow(const MotionSegment& segment, double from, double to)
 /// What the second order leaves out is about the third root of what the ninth one does.
 bool MotionWindow::may_be_sharp() const {
   constexpr double share = 0x1p-12;
-  return from_p_.turn_error <= share && from_p_.shift_error <= share * from_p_.size &&
+  return from_p_.rotation_error <= share && from_p_.shift_error <= share * from_p_.size &&
          from_q_.shift_error <= share * from_q_.size;
 }
 

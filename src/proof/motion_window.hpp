@@ -8,13 +8,14 @@
 namespace taut::internal::proof {
 
 /// The law: at the window's middle + h, |h| <= half, the moving body's point v is seen at
-///   shift + h shift_rate + h^2/2 shift_second + (turn + h turn_rate + h^2/2 turn_second) v + e,
-/// where |e| <= shift_error + turn_error |v|, and the other body's own points at (1 + e') a, where |e'| <= scale_error.
+///   shift + h shift_rate + h^2/2 shift_second + (rotation + h rotation_rate + h^2/2 rotation_second) v + e,
+/// where |e| <= shift_error + rotation_error |v|, and the other body's own points at (1 + e') a, where |e'| <=
+/// scale_error.
 /// |(x, y)| is |x| + |y|. What rounding adds in a few further operations is covered by 2^-44 of `size`, and of the
 /// points.
 struct WindowModel {
-  Vector shift, shift_rate, shift_second, turn, turn_rate, turn_second;
-  double shift_error = 0, turn_error = 0, scale_error = 0;
+  Vector shift, shift_rate, shift_second, rotation, rotation_rate, rotation_second;
+  double shift_error = 0, rotation_error = 0, scale_error = 0;
   double size = 0;  ///< of everything that was added
 };
 

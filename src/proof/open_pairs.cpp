@@ -16,7 +16,7 @@ struct Swept {
   int body;
 };
 
-/// The intervals that have begun, of which some are over already: these are thrown out when looked through.
+/// The intervals that have begun, of which some are over already: these are thrown out when the list is traversed.
 class BegunIntervals {
  public:
   void add(const Swept& swept) { list_.push_back(swept); }

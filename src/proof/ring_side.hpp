@@ -40,7 +40,7 @@ struct NamedChord {
   Point begin, end;
 };
 
-/// Throws ProofError unless it is certain that the curve lies so. The polygon must be simple, which is not looked at.
+/// Throws ProofError unless it is certain that the curve lies so. The polygon must be simple, which is not checked.
 /// The pieces into which the curve was cut for that are returned.
 std::vector<NamedChord> require_side(const std::vector<CurvePiece>& curve, const Polygon& polygon, RingSide side,
                                      const std::string& name);

@@ -30,18 +30,18 @@ bool beyond(const WindowModel& model, double half, Vector n, const EdgeRange& fi
             double margin) {
   const double edge = dot(n, fixed.centre) + reach(fixed, fixed.along, n), most = half * half / 2;
   const auto gap_at = [&](double h) {
-    const Vector turn{model.turn.x + h * model.turn_rate.x, model.turn.y + h * model.turn_rate.y};
+    const Vector rotation{model.rotation.x + h * model.rotation_rate.x, model.rotation.y + h * model.rotation_rate.y};
     const Vector shift{model.shift.x + h * model.shift_rate.x, model.shift.y + h * model.shift_rate.y};
-    return dot(n, shift + turn * moving.centre) - reach(moving, turn * moving.along, n) - edge;
+    return dot(n, shift + rotation * moving.centre) - reach(moving, rotation * moving.along, n) - edge;
   };
   // Most directions are none in the middle already.
   if (!(gap_at(0) > margin)) return false;
-  const double second = dot(n, model.shift_second + model.turn_second * moving.centre);
-  const double at_ends = most * (second - reach(moving, model.turn_second * moving.along, n));
+  const double second = dot(n, model.shift_second + model.rotation_second * moving.centre);
+  const double at_ends = most * (second - reach(moving, model.rotation_second * moving.along, n));
   const double gap = least_above_chord(gap_at(-half) + at_ends, gap_at(half) + at_ends, second, half);
   const double far_fixed = l1_norm(fixed.centre) + fixed.radius(),
                far_moving = l1_norm(moving.centre) + moving.radius();
-  const double error = model.shift_error + model.turn_error * far_moving + model.scale_error * far_fixed;
+  const double error = model.shift_error + model.rotation_error * far_moving + model.scale_error * far_fixed;
   const double added = model.size * (1 + far_moving) + far_fixed;
   return gap > (error + margin) * (1 + 0x1p-40) + 0x1p-44 * added + underflow_slack;
 }
@@ -52,7 +52,7 @@ Vector direction_number(std::uint8_t k) {
   constexpr int quarter = step::directions / 4;
   const double t = static_cast<double>(k % quarter) / quarter, square = t * t;
   Vector n{(1 - square) / (1 + square), 2 * t / (1 + square)};
-  for (int turn = k / quarter; turn > 0; --turn) n = turned(n);
+  for (int rotation = k / quarter; rotation > 0; --rotation) n = turned(n);
   return n;
 }
 
@@ -170,20 +170,21 @@ SeparationInWindow stays_separated_in_window(const PairGeometry& g, const Incide
   const Vector a = place(g, i.edge), b = place(g, g.next(i.edge)), v = place(g, i.vertex);
   const auto [n, from] = half_plane(a, b, why);
   const double half = window.half(), most = half * half / 2;
-  const Vector at = model.shift + model.turn * v - from;
-  const double middle = dot(n, at), way = half * dot(n, model.shift_rate + model.turn_rate * v);
-  const double second = dot(n, model.shift_second + model.turn_second * v);
-  const double least = least_above_chord(middle - way + most * second, middle + way + most * second, second, half);
+  const Vector at = model.shift + model.rotation * v - from;
+  const double middle = dot(n, at), change = half * dot(n, model.shift_rate + model.rotation_rate * v);
+  const double second = dot(n, model.shift_second + model.rotation_second * v);
+  const double least =
+      least_above_chord(middle - change + most * second, middle + change + most * second, second, half);
   // What is added to the vertices' coordinates is less than the room; it turns the edge, and moves all three.
   const double added = model.size * (1 + l1_norm(v)) + l1_norm(a) + l1_norm(b);
   const double error =
-      model.shift_error + model.turn_error * l1_norm(v) + model.scale_error * (l1_norm(a) + l1_norm(b));
+      model.shift_error + model.rotation_error * l1_norm(v) + model.scale_error * (l1_norm(a) + l1_norm(b));
   const double rounding = l1_norm(n) * (0x1p-44 * added) + 16 * displacement_room * (1 + added) + underflow_slack;
   const double doubt = l1_norm(n) * (error * (1 + 0x1p-40)) + rounding;
   if (least > doubt) return SeparationInWindow::yes;
   if (middle < -doubt) return SeparationInWindow::no;
-  return std::fabs(middle) + std::fabs(way) + most * std::fabs(second) <= rounding ? SeparationInWindow::even
-                                                                                   : SeparationInWindow::open;
+  return std::fabs(middle) + std::fabs(change) + most * std::fabs(second) <= rounding ? SeparationInWindow::even
+                                                                                      : SeparationInWindow::open;
 }
 
 bool stays_separated_in_doubles(const PairGeometry& g, Lifetimes& lifetimes, const Incidence& i, SeparationReason why,
@@ -208,8 +209,8 @@ bool separates(std::uint8_t named, const MotionWindow& window, const EdgeRange& 
 
 std::optional<std::uint8_t> separating_step(const MotionWindow& window, const EdgeRange& p, const EdgeRange& q,
                                             double margin) {
-  const Vector to_q = window.from_p().shift + window.from_p().turn * q.centre - p.centre;
-  const Vector to_p = window.from_q().shift + window.from_q().turn * p.centre - q.centre;
+  const Vector to_q = window.from_p().shift + window.from_p().rotation * q.centre - p.centre;
+  const Vector to_p = window.from_q().shift + window.from_q().rotation * p.centre - q.centre;
   const auto facing = [](const EdgeRange& r, Vector to, int axis) {
     return static_cast<std::uint8_t>(axis | (dot(side_number(r, axis), to) < 0 ? 2 : 0));
   };
@@ -228,11 +229,11 @@ std::optional<std::uint8_t> separating_step(const MotionWindow& window, const Ed
 double motion_in(const MotionWindow& window, const EdgeRange& q) {
   const WindowModel& s = window.from_p();
   const double r = window.half();
-  const auto way = [&](Vector shift, Vector turn) {
-    return l1_norm(shift + turn * q.centre) + l1_norm(turn) * q.radius();
+  const auto effect = [&](Vector shift, Vector rotation) {
+    return l1_norm(shift + rotation * q.centre) + l1_norm(rotation) * q.radius();
   };
-  return r * (way(s.shift_rate, s.turn_rate) + r / 2 * way(s.shift_second, s.turn_second)) + s.shift_error +
-         s.turn_error * (l1_norm(q.centre) + q.radius());
+  return r * (effect(s.shift_rate, s.rotation_rate) + r / 2 * effect(s.shift_second, s.rotation_second)) +
+         s.shift_error + s.rotation_error * (l1_norm(q.centre) + q.radius());
 }
 
 }  // namespace taut::internal::proof

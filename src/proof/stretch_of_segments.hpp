@@ -1,4 +1,4 @@
-// Corners that need no look on every segment: those that keep their sign wherever the motion goes for many segments.
+// Corners that need no test on every segment: those that keep their sign wherever the motion goes for many segments.
 #pragma once
 
 #include <algorithm>
@@ -45,7 +45,7 @@ class HalfedgeList {
   std::vector<std::uint32_t> place_;  ///< by half-edge
 };
 
-/// Some segments, and where the motion is on them. Many segments and many corners are then not looked at in all pairs.
+/// Some segments, and where the motion is on them. Many segments and many corners are then not tested in all pairs.
 class StretchOfSegments {
  public:
   explicit StretchOfSegments(const PairGeometry& geometry) : geometry_(geometry) {}
@@ -56,7 +56,7 @@ class StretchOfSegments {
     range_.reset();
     end_ = segment + 1;
     if (corners < few_corners) return true;
-    // So many that the new look at all corners costs each segment a few of them.
+    // So many that the new test of all corners costs each segment a few of them.
     length_ = std::clamp<std::size_t>(length_, 1, corners / 8);
     end_ = std::min(segment + length_, segments.size());
     range_ = range_of(segments[segment]);

@@ -181,10 +181,10 @@ class SeparationsVerifier {
       throw ProofError("the vertex does not come to the edge's line from outside then");
     if (lifetimes.middle(now) != hit.vertex) throw ProofError("the vertex meets the edge's line, but not the edge");
     if (!(end >= now.hi && end <= last.end)) throw ProofError("the contact is not within its stretch of time");
-    std::vector<SegmentStretch> way;
-    add_stretches_before(pair.segments, segment, way);
-    way.push_back({segment, last.start, end});
-    section(pair, way, true, now);
+    std::vector<SegmentStretch> stretches;
+    add_stretches_before(pair.segments, segment, stretches);
+    stretches.push_back({segment, last.start, end});
+    section(pair, stretches, true, now);
     conclude(pair, hit, last, lifetimes.tightened(now));
   }
 

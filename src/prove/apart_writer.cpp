@@ -28,7 +28,7 @@ constexpr double doubtful = 0x1p-44;
 /// The approximate margin by which this reason separates a vertex from an edge in the middle of the window.
 double margin_by(const PairGeometry& g, const proof::Incidence& i, const proof::WindowModel& model,
                  SeparationReason why) {
-  const Vector v = model.shift + model.turn * proof::place(g, i.vertex);
+  const Vector v = model.shift + model.rotation * proof::place(g, i.vertex);
   const proof::HalfPlane side = proof::half_plane(proof::place(g, i.edge), proof::place(g, g.next(i.edge)), why);
   return dot(side.normal, v - side.from);
 }
@@ -50,15 +50,15 @@ std::array<std::pair<double, SeparationReason>, 4> margins(const PairGeometry& g
 bool is_far(double margin, const PairGeometry& g, const proof::Incidence& i, const proof::WindowModel& model,
             double half) {
   const Vector v = proof::place(g, i.vertex), edge = proof::place(g, g.next(i.edge)) - proof::place(g, i.edge);
-  const double way = half * (l1_norm(model.shift_rate + model.turn_rate * v) +
-                             half / 2 * l1_norm(model.shift_second + model.turn_second * v));
-  return margin > 2 * l1_norm(edge) * (way + model.shift_error + model.turn_error * l1_norm(v));
+  const double way = half * (l1_norm(model.shift_rate + model.rotation_rate * v) +
+                             half / 2 * l1_norm(model.shift_second + model.rotation_second * v));
+  return margin > 2 * l1_norm(edge) * (way + model.shift_error + model.rotation_error * l1_norm(v));
 }
 
 /// The uncertainty of the motion.
 double doubt(const proof::MotionWindow& window, const proof::EdgeRange& q) {
   const proof::WindowModel& model = window.from_p();
-  return model.shift_error + model.turn_error * (l1_norm(q.centre) + q.radius());
+  return model.shift_error + model.rotation_error * (l1_norm(q.centre) + q.radius());
 }
 
 }  // namespace
@@ -117,7 +117,7 @@ std::optional<SeparationReason> ApartWriter::reason_for_margin(const proof::Inci
   for (auto& [room, why] : candidates) room = room / length - (why == SeparationReason::right ? margin_ : 0);
   std::stable_sort(candidates.begin(), candidates.end(),
                    [](const auto& x, const auto& y) { return x.first > y.first; });
-  const double doubt = doubtful * (1 + model.size) + model.shift_error + model.turn_error;
+  const double doubt = doubtful * (1 + model.size) + model.shift_error + model.rotation_error;
   for (const auto& [room, why] : candidates) {
     try {
       if (room >= -doubt && kept.separated(lifetimes_, i, why, time.from, time.to)) return why;
@@ -142,29 +142,29 @@ std::optional<std::uint8_t> ApartWriter::margin_kept(const proof::RangePair& ran
 std::optional<std::uint8_t> ApartWriter::ends_apart(const proof::RangePair& ranges, const proof::HalvedTime& time,
                                                     bool halves_help) {
   const proof::MotionWindow window = windows_.at(time);
-  Look onto_p = look(pair_.onto_p(ranges), window, time, halves_help);
+  Evaluation onto_p = evaluate(pair_.onto_p(ranges), window, time, halves_help);
   if (onto_p.left_to_halves) return std::nullopt;
-  Look onto_q = look(pair_.onto_q(ranges), window, time, halves_help);
+  Evaluation onto_q = evaluate(pair_.onto_q(ranges), window, time, halves_help);
   if (onto_q.left_to_halves) return std::nullopt;
-  for (Look* one : {&onto_p, &onto_q}) {
+  for (Evaluation* one : {&onto_p, &onto_q}) {
     if (!one->why) one->why = precise_reason(*one, time, halves_help);
     if (!one->why) return std::nullopt;
   }
   return static_cast<std::uint8_t>(static_cast<unsigned>(*onto_p.why) | static_cast<unsigned>(*onto_q.why) << 4);
 }
 
-ApartWriter::Look ApartWriter::look(const proof::Incidence& incidence, const proof::MotionWindow& window,
-                                    const proof::HalvedTime& time, bool halves_help) {
+ApartWriter::Evaluation ApartWriter::evaluate(const proof::Incidence& incidence, const proof::MotionWindow& window,
+                                              const proof::HalvedTime& time, bool halves_help) {
   const proof::WindowModel& model = pair_.geometry.in_p(incidence.edge) ? window.from_p() : window.from_q();
-  Look seen{incidence, margins(pair_.geometry, incidence, model), doubtful * (1 + model.size)};
-  seen.doubt = seen.none + model.shift_error + model.turn_error;
+  Evaluation seen{incidence, margins(pair_.geometry, incidence, model), doubtful * (1 + model.size)};
+  seen.doubt = seen.none + model.shift_error + model.rotation_error;
   seen.why = reason_in_doubles(seen, time);
   seen.far = is_far(seen.candidates[0].first, pair_.geometry, incidence, model, window.half());
   seen.left_to_halves = !seen.why && halves_help && seen.some_room() && !seen.far && !lifetimes_.segment().translation;
   return seen;
 }
 
-std::optional<SeparationReason> ApartWriter::reason_in_doubles(const Look& seen, const proof::HalvedTime& time) {
+std::optional<SeparationReason> ApartWriter::reason_in_doubles(const Evaluation& seen, const proof::HalvedTime& time) {
   const Instant end = proof::end_of(time, until_);
   const auto& candidates = seen.candidates;
   std::array<bool, std::tuple_size_v<Candidates>> open{};
@@ -186,7 +186,7 @@ std::optional<SeparationReason> ApartWriter::reason_in_doubles(const Look& seen,
 
 /// Shorter windows make doubles more accurate. That is no alternative where halving does not help, or the largest
 /// margin is zero in doubles, or is evident already.
-std::optional<SeparationReason> ApartWriter::precise_reason(const Look& seen, const proof::HalvedTime& time,
+std::optional<SeparationReason> ApartWriter::precise_reason(const Evaluation& seen, const proof::HalvedTime& time,
                                                             bool halves_help) {
   const Instant end = proof::end_of(time, until_);
   const proof::Incidence& incidence = seen.incidence;
@@ -216,7 +216,7 @@ bool ApartWriter::is_new_tie(const proof::Incidence& incidence, SeparationReason
     if (!window) window.emplace(lifetimes_.segment(), at, at);
     const proof::WindowModel& model = pair_.geometry.in_p(incidence.edge) ? window->from_p() : window->from_q();
     return std::fabs(margin_by(pair_.geometry, incidence, model, why)) <=
-           doubtful * (1 + model.size) + model.shift_error + model.turn_error;
+           doubtful * (1 + model.size) + model.shift_error + model.rotation_error;
   };
   const bool gone = (time.from == from_ && is_gone(from_, at_start_)) || (time.to == to_ && is_gone(to_, at_end_));
   return gone && ties_.insert({incidence.vertex.value, incidence.edge.value, why}).second;

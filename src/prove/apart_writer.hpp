@@ -50,7 +50,7 @@ class ApartWriter {
   /// largest first.
   using Candidates = std::array<std::pair<double, proof::SeparationReason>, 4>;
   /// The evaluation of one vertex and one edge over a window.
-  struct Look {
+  struct Evaluation {
     proof::Incidence incidence;
     Candidates candidates;
     double none;                                   ///< a margin as small as this counts as zero in doubles
@@ -60,10 +60,10 @@ class ApartWriter {
     bool left_to_halves = false;                   ///< doubles may decide in shorter windows
     bool some_room() const { return candidates[0].first > none; }
   };
-  Look look(const proof::Incidence& incidence, const proof::MotionWindow& window, const proof::HalvedTime& time,
-            bool halves_help);
-  std::optional<proof::SeparationReason> reason_in_doubles(const Look& seen, const proof::HalvedTime& time);
-  std::optional<proof::SeparationReason> precise_reason(const Look& seen, const proof::HalvedTime& time,
+  Evaluation evaluate(const proof::Incidence& incidence, const proof::MotionWindow& window,
+                      const proof::HalvedTime& time, bool halves_help);
+  std::optional<proof::SeparationReason> reason_in_doubles(const Evaluation& seen, const proof::HalvedTime& time);
+  std::optional<proof::SeparationReason> precise_reason(const Evaluation& seen, const proof::HalvedTime& time,
                                                         bool halves_help);
   bool is_new_tie(const proof::Incidence& incidence, proof::SeparationReason why, const proof::HalvedTime& time);
   bool stays_separated(const proof::Incidence& incidence, proof::SeparationReason why, const proof::HalvedTime& time,

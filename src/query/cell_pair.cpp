@@ -16,7 +16,7 @@ using spacetime::Hierarchy;
 constexpr double rounding_slack = 0x1p-44;
 /// Boxes that swing farther than this share of their size are left to smaller cells.
 constexpr double subdivision_threshold_of_cells = 1.5;
-/// So many pairs of ranges are looked at after one that stays open.
+/// So many pairs of ranges are evaluated after one that stays open.
 constexpr int most_after_open = 256;
 /// So many points of a body are tried in search of one that is deep inside the other one.
 constexpr std::uint32_t most_probes = 256;
@@ -40,7 +40,7 @@ double least_along(Vector n, const JointModel& z) {
   return least;
 }
 
-/// From a point to the nearest edge below a node; nothing farther than `best` is looked for.
+/// From a point to the nearest edge below a node; nothing farther than `best` is searched.
 class NearestEdge {
  public:
   NearestEdge(const Hierarchy& tree, Vector at) : tree_(tree), at_(at) {}
@@ -92,7 +92,7 @@ std::vector<std::uint32_t> CellPair::outlines(const DisplacedPolygon& body) {
   return first;
 }
 
-CellState CellPair::look(const PoseModel& of_q, std::optional<InnerPoint>& hint) const {
+CellState CellPair::evaluate(const PoseModel& of_q, std::optional<InnerPoint>& hint) const {
   const Seen seen{of_q, of_q.inverse()};
   if (hint && stays_inside(seen, *hint)) return CellState::colliding;
   switch (look_at_ranges(seen)) {
@@ -107,7 +107,7 @@ CellState CellPair::look(const PoseModel& of_q, std::optional<InnerPoint>& hint)
   return CellState::undecided;
 }
 
-/// Depth first. With the first pair of ranges that stays open the cell is not free; for a while two edges are looked
+/// Depth first. With the first pair of ranges that stays open the cell is not free; for a while two edges are searched
 /// for that cross.
 CellPair::Ranges CellPair::look_at_ranges(const Seen& seen) const {
   thread_local std::vector<std::pair<std::uint32_t, std::uint32_t>> todo;
@@ -141,14 +141,14 @@ CellPair::Ranges CellPair::look_at_ranges(const Seen& seen) const {
 /// Is there a direction along which Q's box is beyond P's, at all joint values? A box is beyond where its corners are.
 bool CellPair::separated(const Seen& seen, const Box& p, const Box& q) const {
   const JointModel centre = seen.of_q.place(q.centre);
-  const Vector way = centre.value - p.centre;
-  if (length_of(way) - centre.swing() - p.radius - q.radius > rounding_slack * (1 + centre.reach())) return true;
+  const Vector relative = centre.value - p.centre;
+  if (length_of(relative) - centre.swing() - p.radius - q.radius > rounding_slack * (1 + centre.reach())) return true;
   const auto side_of = [&](Vector along, double half) {
-    return seen.of_q.turn * JointModel::constant({half * along.x, half * along.y});
+    return seen.of_q.rotation * JointModel::constant({half * along.x, half * along.y});
   };
   const JointModel length = side_of(q.along, q.half_length), width = side_of(turned(q.along), q.half_width);
   const auto beyond = [&](Vector n) {
-    if (dot(n, way) < 0) n = -n;
+    if (dot(n, relative) < 0) n = -n;
     const double edge = dot(n, p.centre) + std::fabs(dot(n, p.along)) * p.half_length +
                         std::fabs(dot(n, turned(p.along))) * p.half_width;
     double gap = INFINITY;
@@ -157,9 +157,9 @@ bool CellPair::separated(const Seen& seen, const Box& p, const Box& q) const {
     }
     return gap - edge > rounding_slack * (1 + centre.reach());
   };
-  const Vector turn = seen.of_q.turn.value;
-  return beyond(unit(turned(p.along))) || beyond(unit(turn * turned(q.along))) || beyond(unit(way)) ||
-         beyond(unit(p.along)) || beyond(unit(turn * q.along));
+  const Vector rotation = seen.of_q.rotation.value;
+  return beyond(unit(turned(p.along))) || beyond(unit(rotation * turned(q.along))) || beyond(unit(relative)) ||
+         beyond(unit(p.along)) || beyond(unit(rotation * q.along));
 }
 
 /// Do two edges cross at all joint values: are the ends of each on either side of the other one's line?
@@ -169,9 +169,9 @@ bool CellPair::cross(const Seen& seen, std::uint32_t p, std::uint32_t q) const {
     const Vector n = turned(b - a);
     const PoseModel& pose = seen.pose(!edge_of_p);
     const auto side = [&](std::uint32_t v) {
-      const JointModel way = pose.place(point(!edge_of_p, v)) - JointModel::constant(a);
-      const double room = rounding_slack * (1 + way.reach()) * length_of(n);
-      const JointModel scaled{way.value, way.rate, way.error * length_of(n)};
+      const JointModel relative = pose.place(point(!edge_of_p, v)) - JointModel::constant(a);
+      const double room = rounding_slack * (1 + relative.reach()) * length_of(n);
+      const JointModel scaled{relative.value, relative.rate, relative.error * length_of(n)};
       return least_along(n, scaled) > room ? 1 : least_along(-n, scaled) > room ? -1 : 0;
     };
     return side(other) * side(next(!edge_of_p, other)) < 0;

@@ -29,7 +29,7 @@ class CellPair {
 
   /// Q's pose is seen from P. `hint` is an inner vertex that was found in a larger cell around, or none, and becomes
   /// one that was found now.
-  CellState look(const PoseModel& of_q, std::optional<InnerPoint>& hint) const;
+  CellState evaluate(const PoseModel& of_q, std::optional<InnerPoint>& hint) const;
 
  private:
   struct Seen;

@@ -54,7 +54,7 @@ void CellRaster::mark(int i, int j) {
     throw InputError("cells", "there are more than 2^26 cells", "choose larger ones, or a shorter motion");
 }
 
-/// Row by row, the cells that the segment, made wider, may come to; each is looked at.
+/// Row by row, the cells that the segment, made wider, may come to; each is tested.
 void CellRaster::add_edge(const Point& a, const Point& b, double margin) {
   const Point &low = a.y <= b.y ? a : b, &high = a.y <= b.y ? b : a;
   const double rise = high.y - low.y;

@@ -81,8 +81,8 @@ class CellSweep {
       const double by_speed = most(f.d) * half, by_range = std::fabs(f.v.mid - at) + f.v.rad;
       return by_speed <= by_range ? by_speed : by_range;
     };
-    const double turn = change(over.xx, middle.c) + change(over.xy, middle.s);
-    return change(over.ox, middle.ox) + change(over.oy, middle.oy) + turn * reach_;
+    const double rotation = change(over.xx, middle.c) + change(over.xy, middle.s);
+    return change(over.ox, middle.ox) + change(over.oy, middle.oy) + rotation * reach_;
   }
 
   void window(const PieceChain& chain, double from, double to, int depth) {
@@ -98,8 +98,8 @@ class CellSweep {
   /// Where two pieces join up to rounding, all points go straight from the one place to the other.
   void join(const PieceChain& before, const PieceChain& after, double t) {
     const PoseInCells a = pose_at_instant(before, t), b = pose_at_instant(after, t);
-    const double turn = std::fabs(b.c - a.c) + std::fabs(b.s - a.s);
-    const double gap = std::fabs(b.ox - a.ox) + std::fabs(b.oy - a.oy) + turn * reach_ + a.away + b.away;
+    const double rotation = std::fabs(b.c - a.c) + std::fabs(b.s - a.s);
+    const double gap = std::fabs(b.ox - a.ox) + std::fabs(b.oy - a.oy) + rotation * reach_ + a.away + b.away;
     if (!(gap <= 0.9 * cell_excess * options_.resolution)) too_fine(t);
     add(a, gap);
   }

@@ -62,7 +62,7 @@ bool overlap_at_rest(const Instance& world, const std::array<BodyId, 2>& bodies)
   });
 }
 
-/// A cell that is still to be looked at, with what is known of it.
+/// A cell that is still to be evaluated, with what is known of it.
 struct OpenCell {
   JointCell box;
   double share = 1;  ///< of all combinations
@@ -101,7 +101,7 @@ class EnvelopeSearch {
         checkpoint();
         report_parts("cells", answer_.cells.size());
         report_share(answer_.free + answer_.colliding + answer_.undecided);
-        look(queue_.front());
+        evaluate(queue_.front());
         queue_.pop_front();
         looked_ = true;
       }
@@ -194,13 +194,13 @@ class EnvelopeSearch {
     return moves(pair.of_p) ? pose(pair.of_p, box).inverse().of(q) : q;
   }
 
-  void look(OpenCell& cell) {
+  void evaluate(OpenCell& cell) {
     std::array<double, max_joints> effect{};
     OpenCell left{cell.box, cell.share, {}, {}};
     for (std::size_t i = 0; i < cell.pairs.size(); ++i) {
       const LinkedPair& pair = *pairs_[cell.pairs[i]];
       const PoseModel seen = between(pair, cell.box);
-      const CellState state = pair.cells.look(seen, cell.hints[i]);
+      const CellState state = pair.cells.evaluate(seen, cell.hints[i]);
       if (state == CellState::colliding) return note(cell, state, bodies_of(cell.pairs[i]));
       if (state == CellState::free) continue;
       left.pairs.push_back(cell.pairs[i]);
@@ -216,10 +216,10 @@ class EnvelopeSearch {
     constexpr double more_than_rounding = 0x1p-40;
     const double radius = pair.search.tree_q.node(0).box.radius;
     const JointModel centre = seen.place(pair.search.tree_q.node(0).box.centre);
-    const double left_out = centre.error + seen.turn.error * radius;
-    const bool is_rounding = left_out <= more_than_rounding * (centre.reach() + seen.turn.reach() * radius);
+    const double left_out = centre.error + seen.rotation.error * radius;
+    const bool is_rounding = left_out <= more_than_rounding * (centre.reach() + seen.rotation.reach() * radius);
     for (std::size_t k = 0; k < effect.size(); ++k) {
-      effect[k] += l1_norm(centre.rate[k]) + l1_norm(seen.turn.rate[k]) * radius;
+      effect[k] += l1_norm(centre.rate[k]) + l1_norm(seen.rotation.rate[k]) * radius;
       if (!is_rounding && (follows(pair.of_p, k) || follows(pair.of_q, k))) effect[k] += left_out;
     }
   }
@@ -287,7 +287,7 @@ class EnvelopeSearch {
         point.middle[k] = cell.lo[k] + (cell.hi[k] - cell.lo[k]) / 2;
       for (const auto& pair : pairs_) {
         std::optional<InnerPoint> hint;
-        if (pair->cells.look(between(*pair, point), hint) != CellState::colliding) continue;
+        if (pair->cells.evaluate(between(*pair, point), hint) != CellState::colliding) continue;
         answer_.witness = {point.middle, pair->bodies};
         return;
       }

@@ -68,26 +68,26 @@ JointAngle joint_angle_of(const JointMotion& motion) {
 namespace {
 
 /// exp(i angle): its second derivative has the magnitude of the slope's square.
-JointModel turn_of(const JointMotion& motion, const JointCell& cell) {
+JointModel rotation_of(const JointMotion& motion, const JointCell& cell) {
   using B = Ball<double>;
   const auto j = static_cast<std::size_t>(motion.joint);
   const JointAngle angle = joint_angle_of(motion);
   const SinCos<double> at = sin_cos(B::exact(angle.slope) * B::exact(cell.middle[j]) + B::exact(angle.offset));
   const double swing = angle.slope * cell.half[j];
-  JointModel turn = JointModel::constant({at.cos.mid, at.sin.mid});
-  turn.rate[j] = {-swing * at.sin.mid, swing * at.cos.mid};
+  JointModel rotation = JointModel::constant({at.cos.mid, at.sin.mid});
+  rotation.rate[j] = {-swing * at.sin.mid, swing * at.cos.mid};
   const double known = (at.cos.rad + at.sin.rad) * (1 + std::fabs(swing));
-  turn.error = (swing * swing / 2 + known + rounding_share * (1 + std::fabs(swing))) * up;
-  return turn;
+  rotation.error = (swing * swing / 2 + known + rounding_share * (1 + std::fabs(swing))) * up;
+  return rotation;
 }
 
 }  // namespace
 
 PoseModel pose_of(const JointMotion& motion, const JointCell& cell, double scale) {
   if (const auto* revolute = std::get_if<Revolute>(&motion.kind)) {
-    const JointModel turn = turn_of(motion, cell);
+    const JointModel rotation = rotation_of(motion, cell);
     const JointModel pivot = JointModel::constant({revolute->pivot.x * scale, revolute->pivot.y * scale});
-    return {pivot - turn * pivot, turn};
+    return {pivot - rotation * pivot, rotation};
   }
   const auto j = static_cast<std::size_t>(motion.joint);
   const Point& direction = std::get<Slide>(motion.kind).direction;

@@ -31,15 +31,15 @@ JointModel operator-(const JointModel& a, const JointModel& b);
 JointModel operator*(const JointModel& a, const JointModel& b);
 JointModel conj(const JointModel& a);
 
-/// The body's point v is at shift + turn v in the other frame.
+/// The body's point v is at shift + rotation v in the other frame.
 struct PoseModel {
-  JointModel shift = JointModel::constant({0, 0}), turn = JointModel::constant({1, 0});
+  JointModel shift = JointModel::constant({0, 0}), rotation = JointModel::constant({1, 0});
 
-  JointModel place(Vector v) const { return shift + turn * JointModel::constant(v); }
+  JointModel place(Vector v) const { return shift + rotation * JointModel::constant(v); }
   /// First `inner`, then this.
-  PoseModel of(const PoseModel& inner) const { return {shift + turn * inner.shift, turn * inner.turn}; }
+  PoseModel of(const PoseModel& inner) const { return {shift + rotation * inner.shift, rotation * inner.rotation}; }
   /// The way back; turns have length 1.
-  PoseModel inverse() const { return {conj(turn) * (JointModel::constant({0, 0}) - shift), conj(turn)}; }
+  PoseModel inverse() const { return {conj(rotation) * (JointModel::constant({0, 0}) - shift), conj(rotation)}; }
 };
 
 /// Of a body in the frame of its parent. Pivots and directions are multiplied by `scale`, a power of two.

@@ -1,4 +1,4 @@
-// The tilings of the pairs of a world that are near at an instant, for looking at.
+// The tilings of the pairs of a world that are near at an instant, to be drawn.
 #include <algorithm>
 #include <numeric>
 #include <utility>

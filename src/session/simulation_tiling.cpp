@@ -1,4 +1,4 @@
-// The tiling of a simulation, for looking at.
+// The tiling of a simulation, to be drawn.
 #include <algorithm>
 
 #include "scene/placement.hpp"
@@ -176,7 +176,7 @@ GeodesicCycle Simulation::geodesic_cycle(BodyId body, int level) const {
       const Placement placement(g, engine.segment(), engine.parameter());
       FreeTriangulation triangulation;
       if (triangulate_free_space(placement, triangulation))
-        throw InputError("", "the bodies overlap", "there is no free space to look for geodesics in");
+        throw InputError("", "the bodies overlap", "there is no free space for geodesics");
       return geodesics_of_level(placement, triangulation, tree, side == 0 ? 0 : g.np, std::clamp(level, 0, last));
     } catch (const Undecidable& limit) {
       throw UndecidedError(not_decided(limit));

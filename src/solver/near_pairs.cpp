@@ -78,7 +78,7 @@ void NearPairs::change(const std::vector<int>& changed, double from) {
       window.boxes.set(body, swept_box(instance_.bodies()[static_cast<std::size_t>(body)], from, window.to));
     std::vector<int> deeper;
     for (const int body : entering) {
-      if (std::binary_search(changed.begin(), changed.end(), body)) look(body, window, deeper);
+      if (std::binary_search(changed.begin(), changed.end(), body)) examine(body, window, deeper);
     }
     entering = std::move(deeper);
   }
@@ -89,7 +89,7 @@ void NearPairs::change(const std::vector<int>& changed, double from) {
 
 /// Finds the bodies that this one meets in the window. `deeper` receives the additional bodies that its halves have to
 /// test.
-void NearPairs::look(int body, Window& window, std::vector<int>& deeper) {
+void NearPairs::examine(int body, Window& window, std::vector<int>& deeper) {
   const AxisBox box = window.boxes.box(body);
   for (const int other : window.boxes.find(box)) {
     checkpoint();

@@ -19,7 +19,7 @@ namespace taut::internal {
 /// time, also if its bodies come to move alike.
 class NearPairs {
  public:
-  /// The plan must outlive this object.
+  /// The motions must outlive this object.
   explicit NearPairs(const Instance& instance) : instance_(instance) {}
 
   /// Begins, with all bodies, at that time.
@@ -64,7 +64,7 @@ class NearPairs {
   };
   void begin_single_pair();
   void descend(double from, double to, std::vector<int> bodies);
-  void look(int body, Window& window, std::vector<int>& deeper);
+  void examine(int body, Window& window, std::vector<int>& deeper);
   static void add(Window& window, int a, int b);
   static void forget(Window& window, int body);
 

@@ -138,7 +138,7 @@ class IntervalSearch {
   bool comes_back(const SegmentCrossing& c) const {
     if (!c.precise) return false;
     const std::shared_ptr<const MotionSegment> held = pair_.segments().hold(c.segment);
-    spacetime::PreciseCrossings crossings(pair_.geometry, *held, spacetime::Ways::both);
+    spacetime::PreciseCrossings crossings(pair_.geometry, *held, spacetime::CrossingDirections::both);
     const spacetime::VertexEdge pair{c.vertex, c.edge};
     const double before = std::max(std::nextafter(c.lo, -INFINITY), held->start);
     const double after = std::min(std::nextafter(c.hi, INFINITY), held->end);

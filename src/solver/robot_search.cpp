@@ -315,7 +315,7 @@ void RobotSearch::find_crossed(std::size_t link, double t) {
   const auto gap = [](const spacetime::Path& a, const spacetime::Path& b) {
     return std::fabs(a.x.a - b.x.a) + std::fabs(a.y.a - b.y.a);
   };
-  s.in_p.error += to.in_p.error + gap(s.in_p.shift, to.in_p.shift) + 5 * gap(s.in_p.turn, to.in_p.turn);
+  s.in_p.error += to.in_p.error + gap(s.in_p.shift, to.in_p.shift) + 5 * gap(s.in_p.rotation, to.in_p.rotation);
   // Between the two poses the link is not quite rigid: nothing is claimed in its own frame.
   s.in_q.error = INFINITY;
   find_near(link, s);

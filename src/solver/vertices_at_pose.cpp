@@ -17,8 +17,8 @@ VerticesAtPose::VerticesAtPose(const InstanceBody& body, double t, Offset offset
     largest = std::max(largest, std::fabs(p.x) + std::fabs(p.y));
     positions_.push_back(place({p.x, p.y}));
   }
-  const double shift = pose.ox.v.rad + pose.oy.v.rad, turn = pose.xx.v.rad + pose.xy.v.rad;
-  error_ = shift + turn * largest + 0x1p-48 * (l1_norm(origin_) + 2 * largest) + displacement_room;
+  const double shift = pose.ox.v.rad + pose.oy.v.rad, rotation = pose.xx.v.rad + pose.xy.v.rad;
+  error_ = shift + rotation * largest + 0x1p-48 * (l1_norm(origin_) + 2 * largest) + displacement_room;
 }
 
 Vector VerticesAtPose::place(Vector v) const { return origin_ + axis_ * v; }

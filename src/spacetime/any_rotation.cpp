@@ -17,8 +17,8 @@ struct Radii {
   double least, most;
 };
 Radii radii_about(Vector point, const Box& box) {
-  const Vector way = box.centre - point;
-  const double u = std::fabs(dot(way, box.along)), w = std::fabs(dot(way, turned(box.along)));
+  const Vector relative = box.centre - point;
+  const double u = std::fabs(dot(relative, box.along)), w = std::fabs(dot(relative, turned(box.along)));
   return {length(std::max(u - box.half_length, 0.0), std::max(w - box.half_width, 0.0)),
           length(u + box.half_length, w + box.half_width)};
 }
@@ -27,7 +27,7 @@ Radii radii_about(Vector point, const Box& box) {
 
 AnyRotation::AnyRotation(const MotionSegment& segment, double start, double end) {
   // Where sine and cosine are all but unknown, so are the products with them; the translation as seen from a body that
-  // does not turn is none of these.
+  // does not rotate is none of these.
   const Frame<double> f = frame(segment, Ball<double>::between(start, end));
   const auto side = [&](const FrameSample& sample, bool in_p) {
     const Vector fixed{segment.offset(in_p).x, segment.offset(in_p).y};
@@ -42,8 +42,8 @@ AnyRotation::AnyRotation(const MotionSegment& segment, double start, double end)
   in_p_ = side(sample_of(f.for_pp), true);
   in_q_ = side(sample_of(f.for_qq), false);
   if (segment.composed) return;
-  const auto way = way_series<double>(segment, Ball<double>::between(start, end));
-  const Ball<double>&x = way[0].c[0], &y = way[1].c[0];
+  const auto relative = way_series<double>(segment, Ball<double>::between(start, end));
+  const Ball<double>&x = relative[0].c[0], &y = relative[1].c[0];
   const double distance = length(x.mid, y.mid), spread = x.rad + y.rad + rounding * distance;
   least_ = distance - spread;
   most_ = distance + spread;

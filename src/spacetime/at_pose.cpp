@@ -11,16 +11,16 @@ constexpr double about_unit = 1 + 0x1p-40;
 
 /// Tests the discs around the boxes, then the sides of both.
 bool posed_apart(const QAtPose& at_pose, const Box& p, const Box& q) {
-  const Vector way = at_pose.at(q.centre) - p.centre;
+  const Vector relative = at_pose.at(q.centre) - p.centre;
   const double room = (p.radius + q.radius + at_pose.error) * about_unit;
-  if (dot(way, way) > room * room * about_unit) return true;
-  const Vector along = at_pose.turn * q.along;
+  if (dot(relative, relative) > room * room * about_unit) return true;
+  const Vector along = at_pose.rotation * q.along;
   const double c = std::fabs(dot(p.along, along)), s = std::fabs(dot(turned(p.along), along));
   // Errors of directions and products are multiplied by the sizes of the boxes. The error of Q's own is within that of
   // the pose.
   const double e = at_pose.error + 0x1p-48 * (p.radius + q.radius);
   const auto beyond = [&](Vector n, double fixed, double other) {
-    return std::fabs(dot(n, way)) > (fixed + other + e) * about_unit;
+    return std::fabs(dot(n, relative)) > (fixed + other + e) * about_unit;
   };
   return beyond(p.along, p.half_length, c * q.half_length + s * q.half_width) ||
          beyond(turned(p.along), p.half_width, s * q.half_length + c * q.half_width) ||

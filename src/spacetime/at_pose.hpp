@@ -9,18 +9,18 @@
 
 namespace taut::internal::spacetime {
 
-/// The pose of Q in P's frame: its point v is at origin + turn v, up to `error`, which also covers the rounding of a
-/// few subsequent operations. The error is at least 2^-44 times the length of any point of Q.
+/// The pose of Q in P's frame: its point v is at origin + rotation v, up to `error`, which also covers the rounding of
+/// a few subsequent operations. The error is at least 2^-44 times the length of any point of Q.
 struct QAtPose {
-  Vector origin, turn{1, 0};
+  Vector origin, rotation{1, 0};
   double error = 0;
 
   /// The pose for a stretch of zero length.
   static QAtPose of(const Stretch& instant) {
     const RelativePose& c = instant.in_p;
-    return {{c.shift.x.a, c.shift.y.a}, {c.turn.x.a, c.turn.y.a}, c.error};
+    return {{c.shift.x.a, c.shift.y.a}, {c.rotation.x.a, c.rotation.y.a}, c.error};
   }
-  Vector at(Vector v) const { return origin + turn * v; }
+  Vector at(Vector v) const { return origin + rotation * v; }
 };
 
 enum class EdgesCross : std::uint8_t {

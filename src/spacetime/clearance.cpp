@@ -20,8 +20,8 @@ constexpr double error_of_rounding = 0x1p-42;
 /// where the error counts them up to some ten times. On a bridge it is zero: all of the error is rounding.
 constexpr double share_that_shrinks = 0x1p-5;
 
-/// After so many looks at an edge of each body the walk gives up. A pin that turns in its bore shows each of its edges
-/// to each of the bore's: a few looks at each pair are no sign of steps that are too short.
+/// After so many evaluations of an edge of each body the walk gives up. A pin that turns in its bore shows each of its
+/// edges to each of the bore's: a few evaluations of each pair are no sign of steps that are too short.
 std::uint64_t most_leaf_looks(const PairGeometry& g) {
   constexpr std::uint64_t at_least = 20000, of_pair = 4, at_most = 1 << 23;
   return at_least + std::min(of_pair * g.np * g.nq, at_most);
@@ -46,12 +46,12 @@ class ClearanceOnSegment {
   const double shortest;
   double distance_of_interest() const { return tolerance_.least(best_.distance); }
   bool begins(double) const { return true; }
-  BoxDecision look(const StretchOfTime& time, const BoxNode& p, const BoxNode& q) {
+  BoxDecision evaluate(const StretchOfTime& time, const BoxNode& p, const BoxNode& q) {
     if (looks_left_ == 0) return BoxDecision::done;
     const Stretch& s = time.bounds;
     const bool leaf = p.count == 1 && q.count == 1;
-    const Path way = s.in_p.place(q.box.centre, p.box.centre);
-    Vector towards{way.x.a, way.y.a};
+    const Path relative = s.in_p.place(q.box.centre, p.box.centre);
+    Vector towards{relative.x.a, relative.y.a};
     if (leaf) towards = measure(s, VertexId(p.first), VertexId(geometry_.np + q.first));
     if (farther(s, p.box, q.box, towards, tolerance_.least(best_.distance))) return BoxDecision::done;
     if (!leaf && motion(s, p.box, q.box) <= subdivision_threshold * (p.box.radius + q.box.radius))
@@ -84,7 +84,7 @@ class ClearanceOnSegment {
     }
     return false;
   }
-  /// The distance of two edges in the middle of the stretch; the direction of the shortest way, in P's frame.
+  /// The distance of two edges in the middle of the stretch; the direction of the shortest connection, in P's frame.
   Vector measure(const Stretch& s, VertexId of_p, VertexId of_q) {
     const auto point = [&](VertexId v) { return Vector{geometry_.point(v).x, geometry_.point(v).y}; };
     const auto placed = [&](VertexId v) {

@@ -26,8 +26,8 @@ struct Closest {
   void attempt(Vector v, Vector from, Vector to, bool v_of_p) {
     const Vector e = to - from, w = v - from;
     const double share = std::clamp(dot(w, e) / dot(e, e), 0.0, 1.0);
-    const Vector foot{from.x + share * e.x, from.y + share * e.y}, way = v - foot;
-    const double d = std::sqrt(dot(way, way));
+    const Vector foot{from.x + share * e.x, from.y + share * e.y}, relative = v - foot;
+    const double d = std::sqrt(dot(relative, relative));
     if (!(d < distance)) return;
     on_p = v_of_p ? v : foot;
     on_q = v_of_p ? foot : v;

@@ -38,7 +38,7 @@ std::optional<Crossing> PreciseCrossings::first(const VertexEdge& pair, double f
     c.out = sign > 0;
     store(*root, c);
     // If outward crossings are not searched for, it does not matter whether one of them is on the edge.
-    if ((sign < 0 || ways_ == Ways::both) && on_edge(c, sign) == OnEdge::yes) return c;
+    if ((sign < 0 || directions_ == CrossingDirections::both) && on_edge(c, sign) == OnEdge::yes) return c;
     at = *c.precise;
   }
 }

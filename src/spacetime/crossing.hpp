@@ -33,7 +33,7 @@ struct Crossing {
 };
 
 /// The crossings to search for: those that may be first contacts, or all.
-enum class Ways : unsigned char { into, both };
+enum class CrossingDirections : unsigned char { into, both };
 
 /// Does the vertex project onto the edge, or is it beyond one of its ends?
 enum class OnEdge : unsigned char { yes, no, unknown };
@@ -41,8 +41,8 @@ enum class OnEdge : unsigned char { yes, no, unknown };
 /// The precise stages for one segment. All members throw Undecidable where the last stage does not suffice.
 class PreciseCrossings {
  public:
-  PreciseCrossings(const PairGeometry& geometry, const MotionSegment& segment, Ways ways)
-      : geometry_(geometry), segment_(segment), ways_(ways) {
+  PreciseCrossings(const PairGeometry& geometry, const MotionSegment& segment, CrossingDirections directions)
+      : geometry_(geometry), segment_(segment), directions_(directions) {
     memory_.reset(segment);
   }
 
@@ -65,7 +65,7 @@ class PreciseCrossings {
 
   const PairGeometry& geometry_;
   const MotionSegment& segment_;
-  Ways ways_;
+  CrossingDirections directions_;
   FrameMemory memory_;
 };
 

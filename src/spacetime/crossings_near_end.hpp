@@ -16,8 +16,8 @@ namespace taut::internal::spacetime {
 /// windows.
 class CrossingsNearEnd {
  public:
-  CrossingsNearEnd(const MotionSegment& segment, Ways ways, PreciseCrossings& precise)
-      : segment_(segment), ways_(ways), precise_(precise) {}
+  CrossingsNearEnd(const MotionSegment& segment, CrossingDirections directions, PreciseCrossings& precise)
+      : segment_(segment), directions_(directions), precise_(precise) {}
 
   bool is_near(double t) const;
   /// Has the pair been searched from there, or from before?
@@ -41,10 +41,12 @@ class CrossingsNearEnd {
   const Foreseen* foreseen(const VertexEdge& pair, double from, double until);
   /// If all crossings are searched for, each belongs to one of the stretches that divide time. A first contact that may
   /// lie in this stretch or in the next one is reported in both.
-  bool within(const Crossing& c, double to) const { return ways_ == Ways::both ? c.hi <= to : c.lo <= to; }
+  bool within(const Crossing& c, double to) const {
+    return directions_ == CrossingDirections::both ? c.hi <= to : c.lo <= to;
+  }
 
   const MotionSegment& segment_;
-  Ways ways_;
+  CrossingDirections directions_;
   PreciseCrossings& precise_;
   std::unordered_map<std::uint64_t, Foreseen> known_;
 };

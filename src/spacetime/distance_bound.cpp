@@ -18,9 +18,9 @@ constexpr double longest_share = 0.125;
 
 /// The bound for a moving vertex and a resting edge, in the edge's frame.
 double vertex_bound(const RelativePose& relative_pose, double r, Vector vertex, Vector from, Vector to) {
-  const Vector way = to - from;
-  const double length = std::sqrt(dot(way, way));
-  const Vector e{way.x / length, way.y / length};
+  const Vector relative = to - from;
+  const double length = std::sqrt(dot(relative, relative));
+  const Vector e{relative.x / length, relative.y / length};
   const Path path = relative_pose.place(vertex, from);
   const Parabola along_edge = along(e, path), across = along(turned(e), path);
   const double before = -along_edge.least(r), behind = -(-along_edge).least(r) - length;

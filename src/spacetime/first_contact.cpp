@@ -19,13 +19,13 @@ namespace taut::internal::spacetime {
 class ContactOnSegment {
  public:
   ContactOnSegment(const PairGeometry& geometry, const TreePair& trees, std::shared_ptr<const MotionSegment> segment,
-                   double from, Ways ways = Ways::into)
+                   double from, CrossingDirections directions = CrossingDirections::into)
       : shortest(shortest_stretch * (segment->end - segment->start)),
         geometry_(geometry),
         held_(std::move(segment)),
         segment_(*held_),
-        leaves_(geometry, segment_, ways),
-        ways_(ways),
+        leaves_(geometry, segment_, directions),
+        directions_(directions),
         walk_(trees, segment_, *this),
         flat_sides_(geometry, trees, segment_),
         proved_(from) {}
@@ -60,7 +60,7 @@ class ContactOnSegment {
     proved_ = start;
     return true;
   }
-  BoxDecision look(const StretchOfTime& time, const BoxNode& p, const BoxNode& q) {
+  BoxDecision evaluate(const StretchOfTime& time, const BoxNode& p, const BoxNode& q) {
     ++looks_;
     const Stretch& s = time.bounds;
     if (apart(s, p.box, q.box) || flat_sides_.apart(p, q)) return BoxDecision::done;
@@ -100,7 +100,7 @@ class ContactOnSegment {
       next = std::min(end, window.end());
       std::optional<Crossing> found = leaves_.first(window, pair, t, limit(next));
       if (!found) continue;
-      if (ways_ == Ways::both) {
+      if (directions_ == CrossingDirections::both) {
         next = std::min(next, std::max(found->hi, std::nextafter(t, end)));
         found_.push_back(std::move(*found));
         continue;
@@ -116,7 +116,7 @@ class ContactOnSegment {
   std::shared_ptr<const MotionSegment> held_;
   const MotionSegment& segment_;
   LeafTest leaves_;
-  Ways ways_;
+  CrossingDirections directions_;
   Walk<ContactOnSegment> walk_;
   FlatSides flat_sides_;
   std::vector<Crossing> found_;
@@ -240,7 +240,7 @@ std::vector<SegmentCrossing> all_crossings(const PairGeometry& geometry, const T
       if (at.start > window.to) break;
       const std::optional<TimeInterval> part = clipped(at, window);
       if (!part) continue;
-      ContactOnSegment search(geometry, trees, segments.hold(i), part->lo, Ways::both);
+      ContactOnSegment search(geometry, trees, segments.hold(i), part->lo, CrossingDirections::both);
       for (const Crossing& c : search.run_through(part->lo, part->hi))
         all.push_back({c.pair.vertex, c.pair.edge, c.out, i, c.lo, c.hi, c.precise});
     }

@@ -36,13 +36,13 @@ FlatSides::FlatSides(const PairGeometry& geometry, const TreePair& trees, const 
 
 bool FlatSides::apart(const BoxNode& p, const BoxNode& q) {
   if (!usable_) return false;
-  const double way = dot(unit_, q.box.centre - p.box.centre + offset_);
-  if (std::fabs(way) + hair * (1 + l1_norm(offset_)) < reach_along(unit_, p.box) + reach_along(unit_, q.box))
+  const double relative = dot(unit_, q.box.centre - p.box.centre + offset_);
+  if (std::fabs(relative) + hair * (1 + l1_norm(offset_)) < reach_along(unit_, p.box) + reach_along(unit_, q.box))
     return false;
   const Extremes of_p = extremes(true, static_cast<std::uint32_t>(&p - &trees_.p.node(0)));
   const Extremes of_q = extremes(false, static_cast<std::uint32_t>(&q - &trees_.q.node(0)));
   if (!exact_) return usable_ = false;
-  return way > 0 ? clear(of_q.low, of_p.high) : clear(of_p.low, of_q.high);
+  return relative > 0 ? clear(of_q.low, of_p.high) : clear(of_p.low, of_q.high);
 }
 
 /// Is vertex a above vertex b along n? Both belong to one body.

@@ -112,7 +112,7 @@ LeafTest::Ahead LeafTest::look_ahead(FrameWindow& window, const Functions& f, do
   OnEdge at_root = on_edge(window, f, root);
   if (at_root == OnEdge::unknown) at_root = precise_.on_edge(root, sign);
   root.out = sign > 0;
-  if (at_root == OnEdge::yes && (sign < 0 || ways_ == Ways::both)) return Ahead::crossing;
+  if (at_root == OnEdge::yes && (sign < 0 || directions_ == CrossingDirections::both)) return Ahead::crossing;
   // After the root, the line's function keeps its new sign until it may have an extremum.
   t = std::max(root.hi, falls_until);
   return Ahead::passed;

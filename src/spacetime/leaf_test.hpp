@@ -16,12 +16,13 @@ namespace taut::internal::spacetime {
 /// The tests on one window of a segment.
 class LeafTest {
  public:
-  LeafTest(const PairGeometry& geometry, const MotionSegment& segment, Ways ways = Ways::into)
+  LeafTest(const PairGeometry& geometry, const MotionSegment& segment,
+           CrossingDirections directions = CrossingDirections::into)
       : geometry_(geometry),
         segment_(segment),
-        ways_(ways),
-        precise_(geometry, segment, ways),
-        near_end_(segment, ways, precise_) {}
+        directions_(directions),
+        precise_(geometry, segment, directions),
+        near_end_(segment, directions, precise_) {}
 
   /// The pair's first crossing in (t, limit], which must lie within the window.
   std::optional<Crossing> first(FrameWindow& window, const VertexEdge& pair, double t, double limit);
@@ -54,7 +55,7 @@ class LeafTest {
 
   const PairGeometry& geometry_;
   const MotionSegment& segment_;
-  Ways ways_;
+  CrossingDirections directions_;
   PreciseCrossings precise_;
   CrossingsNearEnd near_end_;
   /// For pairs that doubles once failed to decide: the line's function in the first order of the displacement, if it is

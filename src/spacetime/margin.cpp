@@ -41,10 +41,10 @@ class MarginOnSegment {
     proved_ = start;
     return true;
   }
-  BoxDecision look(const StretchOfTime& time, const BoxNode& p, const BoxNode& q) {
+  BoxDecision evaluate(const StretchOfTime& time, const BoxNode& p, const BoxNode& q) {
     const Stretch& s = time.bounds;
-    const Path way = s.in_p.place(q.box.centre, p.box.centre);
-    const Vector towards{way.x.a, way.y.a};
+    const Path relative = s.in_p.place(q.box.centre, p.box.centre);
+    const Vector towards{relative.x.a, relative.y.a};
     if (farther(s, p.box, q.box, towards, margin_)) return BoxDecision::done;
     const bool leaf = p.count == 1 && q.count == 1;
     if (time.divisible &&

@@ -39,7 +39,7 @@ class QuickSeparation {
       if (++looks_ > most_looks) return false;
       const BoxPair pair = todo.back();
       todo.pop_back();
-      look(stretch, pair, todo, later);
+      evaluate(stretch, pair, todo, later);
     }
     if (later.empty()) return true;
     const double middle = start + (end - start) / 2;
@@ -49,8 +49,8 @@ class QuickSeparation {
 
  private:
   /// Drops the pair, divides the larger box, or defers the pair to shorter stretches.
-  void look(UniformStretch& stretch, const BoxPair& pair, std::vector<BoxPair>& todo,
-            std::vector<BoxPair>& later) const {
+  void evaluate(UniformStretch& stretch, const BoxPair& pair, std::vector<BoxPair>& todo,
+                std::vector<BoxPair>& later) const {
     const BoxNode &p = trees_.p.node(pair.p), &q = trees_.q.node(pair.q);
     const Stretch& s = stretch.near(p.box);
     if (apart(s, p.box, q.box)) return;

@@ -48,8 +48,9 @@ class Evaluations {
     const SegmentPlace place = segments_.place(found.segment);
     if (place.bridge) return;
     const std::shared_ptr<const MotionSegment> segment = segments_.hold(found.segment);
-    const double way = std::fmin(place.end, window_.hi) - found.hi;
-    for (double share = 1; way > 0 && share > 0x1p-40; share /= 4) at(*segment, found.segment, found.hi + way * share);
+    const double time_ahead = std::fmin(place.end, window_.hi) - found.hi;
+    for (double share = 1; time_ahead > 0 && share > 0x1p-40; share /= 4)
+      at(*segment, found.segment, found.hi + time_ahead * share);
   }
 
  private:
@@ -77,8 +78,8 @@ class Evaluations {
 std::string resolve_nearest(const PairGeometry& geometry, const TreePair& trees, const MotionSegments& segments,
                             const TimeInterval& window, const ClearanceTolerance& tolerance, Nearest& best) {
   double certain = best.unresolved;
-  Evaluations looks(geometry, trees, segments, window, tolerance, best);
-  if (certain < tolerance.least(best.distance)) looks.at_singular_ends();
+  Evaluations evaluations(geometry, trees, segments, window, tolerance, best);
+  if (certain < tolerance.least(best.distance)) evaluations.at_singular_ends();
   // Most often doubles have found the least distance, or nearly so, and only the lower bound is missing. So the bound
   // is searched for at growing distances below the value found, not halfway down to zero.
   double margin = tolerance.least(best.distance), below = best.distance - margin;
@@ -92,7 +93,7 @@ std::string resolve_nearest(const PairGeometry& geometry, const TreePair& trees,
       best.unresolved = certain = margin;
     } else {
       take_approach(geometry, found, margin, best);
-      looks.after(found);
+      evaluations.after(found);
       below *= 8;
     }
     const double halfway = certain + (best.distance - certain) / 2;

@@ -56,8 +56,8 @@ double reach_of(const Path& p, double r) { return p.x.reach(r) + p.y.reach(r); }
 
 /// The relative motion in one frame, before the shift of a body that does not rotate is included.
 struct RawRelativePose {
-  Path shift, turn;
-  double shift_error = 0, turn_error = 0, scale_error = 0;
+  Path shift, rotation;
+  double shift_error = 0, rotation_error = 0, scale_error = 0;
 };
 
 /// In the segment, a vertex is at v + offset, up to rounding.
@@ -66,29 +66,29 @@ RelativePose finish(const MotionSegment& segment, RawRelativePose raw, bool in_p
       moving{segment.offset(!in_p).x, segment.offset(!in_p).y};
   raw.shift.x.a -= fixed.x;
   raw.shift.y.a -= fixed.y;
-  if (moving.x != 0 || moving.y != 0) raw.shift = raw.shift + raw.turn * moving;
+  if (moving.x != 0 || moving.y != 0) raw.shift = raw.shift + raw.rotation * moving;
   const double shift = l1_norm(fixed) + l1_norm(moving);
   // Bounds of lengths: of the undisplaced points, and of the shift.
   constexpr double points = 5;
   RelativePose out;
   out.shift = raw.shift;
-  out.turn = raw.turn;
-  out.swing = (raw.turn.x.swing(r) + raw.turn.y.swing(r) + raw.turn_error) * (1 + 0x1p-40);
-  out.reach = (reach_of(raw.shift, r) + shift + (points + shift) * (1 + reach_of(raw.turn, r))) * (1 + 0x1p-40);
+  out.rotation = raw.rotation;
+  out.swing = (raw.rotation.x.swing(r) + raw.rotation.y.swing(r) + raw.rotation_error) * (1 + 0x1p-40);
+  out.reach = (reach_of(raw.shift, r) + shift + (points + shift) * (1 + reach_of(raw.rotation, r))) * (1 + 0x1p-40);
   // Each operation rounds by 2^-53 of a result, which is a sum of two coordinates at most: 2^-44 suffices for 200
   // operations.
-  out.error = raw.shift_error + (points + shift) * raw.turn_error + points * raw.scale_error + 0x1p-44 * out.reach;
+  out.error = raw.shift_error + (points + shift) * raw.rotation_error + points * raw.scale_error + 0x1p-44 * out.reach;
   out.error = out.error * (1 + 0x1p-40) + underflow_slack;
   return out;
 }
 
-/// The pose in Q's frame, with `moving` the functions conj(x_Q) D, and `turn` conj(x_P) x_Q.
-RawRelativePose seen_from_q(const Path& moving, double error, const Path& turn, double turn_error) {
+/// The pose in Q's frame, with `moving` the functions conj(x_Q) D, and `rotation` conj(x_P) x_Q.
+RawRelativePose seen_from_q(const Path& moving, double error, const Path& rotation, double rotation_error) {
   RawRelativePose raw;
   raw.shift = {-moving.x, -moving.y};
-  raw.turn = conj(turn);
+  raw.rotation = conj(rotation);
   raw.shift_error = error;
-  raw.turn_error = turn_error;
+  raw.rotation_error = rotation_error;
   return raw;
 }
 
@@ -118,10 +118,11 @@ double scale_error(const FrameSample& s, const FrameCurvature& b, double r) {
 void assemble(Stretch& out, const MotionSegment& segment, const FrameSample& pp, const FrameCurvature& second_pp,
               const FrameSample& qq, const FrameCurvature& second_qq) {
   const Expanded p = from_sample(pp, second_pp, 1, out.r), q = from_sample(qq, second_qq, 1, out.r);
-  const Expanded turn = from_sample(pp, second_pp, 3, out.r);
-  RawRelativePose in_q = seen_from_q(q.path, q.error, turn.path, turn.error);
+  const Expanded rotation = from_sample(pp, second_pp, 3, out.r);
+  RawRelativePose in_q = seen_from_q(q.path, q.error, rotation.path, rotation.error);
   in_q.scale_error = scale_error(qq, second_qq, out.r);
-  out.in_p = finish(segment, {p.path, turn.path, p.error, turn.error, scale_error(pp, second_pp, out.r)}, true, out.r);
+  out.in_p =
+      finish(segment, {p.path, rotation.path, p.error, rotation.error, scale_error(pp, second_pp, out.r)}, true, out.r);
   out.in_q = finish(segment, in_q, false, out.r);
 }
 
@@ -174,10 +175,10 @@ Stretch Stretch::of_window(const MotionSegment& segment, FrameWindow& window, do
   }
   const FrameModel& m = window.model();
   const double h = out.middle - m.middle;
-  const Expanded p = from_model(m, 0, h, out.r), q = from_model(m, 2, h, out.r), turn = from_model(m, 4, h, out.r);
-  out.rest = std::max(p.rest, q.rest) + turn.rest;
-  out.in_p = finish(segment, {p.path, turn.path, p.error, turn.error, 0}, true, out.r);
-  out.in_q = finish(segment, seen_from_q(q.path, q.error, turn.path, turn.error), false, out.r);
+  const Expanded p = from_model(m, 0, h, out.r), q = from_model(m, 2, h, out.r), rotation = from_model(m, 4, h, out.r);
+  out.rest = std::max(p.rest, q.rest) + rotation.rest;
+  out.in_p = finish(segment, {p.path, rotation.path, p.error, rotation.error, 0}, true, out.r);
+  out.in_q = finish(segment, seen_from_q(q.path, q.error, rotation.path, rotation.error), false, out.r);
   return out;
 }
 

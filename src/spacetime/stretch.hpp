@@ -35,16 +35,16 @@ inline Path operator*(const Path& p, Vector v) { return {v.x * p.x - v.y * p.y, 
 inline Path conj(const Path& p) { return {p.x, -p.y}; }
 inline Parabola along(Vector n, const Path& p) { return n.x * p.x + n.y * p.y; }
 
-/// The motion of one body in the other's frame: its point v is at shift + turn v.
+/// The motion of one body in the other's frame: its point v is at shift + rotation v.
 struct RelativePose {
-  Path shift, turn;
-  double swing = 0;  ///< bounds the distance of `turn` from its middle value
+  Path shift, rotation;
+  double swing = 0;  ///< bounds the distance of `rotation` from its middle value
   double error = 0;  ///< see Stretch
   double reach = 0;  ///< bounds the size of every intermediate vector
 
   /// The path of v relative to a point of the other body.
   Path place(Vector v, Vector from) const {
-    Path p = shift + turn * v;
+    Path p = shift + rotation * v;
     p.x.a -= from.x;
     p.y.a -= from.y;
     return p;
@@ -62,7 +62,7 @@ struct TranslationPolynomial {
 
 /// The parameters t with |t - middle| <= r. The law holds for either relative pose, points v of the moving body and a
 /// of the fixed one (both of length 5 at most), a direction n no longer than 1 + 2^-40, and t of the stretch:
-///   |n . (shift(h) + turn(h) v - a) - n . (v(t) - a)| <= error, on a bridge up to its scale,
+///   |n . (shift(h) + rotation(h) v - a) - n . (v(t) - a)| <= error, on a bridge up to its scale,
 /// where v(t) is the true position of v at t. The error also covers the rounding of at most 40 subsequent operations,
 /// as long as their results are no larger than reach.
 struct Stretch {

@@ -48,7 +48,7 @@ MovingVector product(const MovingVector& a, const MovingVector& b, double r) {
 }
 
 struct MovingPose {
-  MovingVector origin, turn;
+  MovingVector origin, rotation;
   bool turns = false;
 };
 
@@ -84,11 +84,11 @@ MovingPose uniform_pose(const MotionPiece& piece, double middle, double r) {
   MovingPose pose{line(piece, since, r), resting({1, 0}), false};
   const auto* rotation = std::get_if<AngleRotation>(&piece.rotation);
   if (!rotation) return pose;
-  pose.turn = uniform_rotation(rotation->angle, since, r);
+  pose.rotation = uniform_rotation(rotation->angle, since, r);
   pose.turns = true;
   if (piece.pivot == Point{}) return pose;
   const MovingVector pivot = resting({piece.pivot.x, piece.pivot.y});
-  pose.origin = pose.origin + (pivot - product(pose.turn, pivot, r));
+  pose.origin = pose.origin + (pivot - product(pose.rotation, pivot, r));
   return pose;
 }
 
@@ -97,10 +97,10 @@ MovingPose uniform_pose(std::span<const MotionPiece> chain, double middle, doubl
   MovingPose pose = uniform_pose(chain.front(), middle, r);
   for (const MotionPiece& piece : chain.subspan(1)) {
     const MovingPose child = uniform_pose(piece, middle, r);
-    const MovingVector way = pose.turns ? product(pose.turn, child.origin, r) : child.origin;
-    pose.origin = pose.origin + way;
-    if (pose.turns && child.turns) pose.turn = product(pose.turn, child.turn, r);
-    if (child.turns && !pose.turns) pose.turn = child.turn;
+    const MovingVector relative = pose.turns ? product(pose.rotation, child.origin, r) : child.origin;
+    pose.origin = pose.origin + relative;
+    if (pose.turns && child.turns) pose.rotation = product(pose.rotation, child.rotation, r);
+    if (child.turns && !pose.turns) pose.rotation = child.rotation;
     pose.turns = pose.turns || child.turns;
   }
   return pose;
@@ -108,12 +108,12 @@ MovingPose uniform_pose(std::span<const MotionPiece> chain, double middle, doubl
 
 /// `longest` bounds the distance from the origin of the points for which the pose is used. The error of the rotation is
 /// not included.
-RelativePose relative_pose_of(const MovingVector& shift, const MovingVector& turn, double longest, double r) {
+RelativePose relative_pose_of(const MovingVector& shift, const MovingVector& rotation, double longest, double r) {
   RelativePose out;
   out.shift = shift.path;
-  out.turn = turn.path;
-  out.swing = (turn.path.x.swing(r) + turn.path.y.swing(r) + turn.error) * (1 + 0x1p-40);
-  out.reach = (reach_of(shift, r) + longest * (1 + reach_of(turn, r))) * (1 + 0x1p-40);
+  out.rotation = rotation.path;
+  out.swing = (rotation.path.x.swing(r) + rotation.path.y.swing(r) + rotation.error) * (1 + 0x1p-40);
+  out.reach = (reach_of(shift, r) + longest * (1 + reach_of(rotation, r))) * (1 + 0x1p-40);
   // As for the stretches of windows: 2^-44 suffices for the 40 operations that may follow, and for the sums above.
   out.error = (shift.error + 0x1p-44 * out.reach) * (1 + 0x1p-40) + underflow_slack;
   return out;
@@ -136,25 +136,25 @@ UniformStretch UniformMotion::stretch(double start, double end) const {
   MovingPose q = uniform_pose(q_, out.middle, out.r);
   if (!p_.empty()) {
     const MovingPose p = uniform_pose(p_, out.middle, out.r);
-    const MovingVector back = conj(p.turn);
+    const MovingVector back = conj(p.rotation);
     q.origin = product(back, q.origin - p.origin, out.r);
-    q.turn = product(back, q.turn, out.r);
+    q.rotation = product(back, q.rotation, out.r);
   }
-  out.in_p = relative_pose_of(q.origin, q.turn, reach_, out.r);
-  out.in_p.error = (out.in_p.error + reach_ * q.turn.error) * (1 + 0x1p-40);
+  out.in_p = relative_pose_of(q.origin, q.rotation, reach_, out.r);
+  out.in_p.error = (out.in_p.error + reach_ * q.rotation.error) * (1 + 0x1p-40);
   // A point a of P is at back (a - origin) in Q's frame. The error of the parabola of `back` is multiplied by that
   // distance.
   constexpr double longest_of_p = 4;
-  MovingVector back = conj(q.turn);
+  MovingVector back = conj(q.rotation);
   even.turn_error_ = back.error;
   back.error = back.rest = 0;
   const MovingVector shift = -product(back, q.origin, out.r);
-  back.error = q.turn.error;
+  back.error = q.rotation.error;
   out.in_q = relative_pose_of(shift, back, longest_of_p, out.r);
-  even.base_ = out.in_q.error + q.origin.error * q.turn.error;
+  even.base_ = out.in_q.error + q.origin.error * q.rotation.error;
   even.origin_ = {q.origin.path.x.a, q.origin.path.y.a};
   even.way_ = q.origin.path.x.swing(out.r) + q.origin.path.y.swing(out.r) + q.origin.error;
-  out.rest = q.origin.rest + reach_ * q.turn.rest;
+  out.rest = q.origin.rest + reach_ * q.rotation.rest;
   even.everywhere();
   return even;
 }

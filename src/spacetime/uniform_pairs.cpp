@@ -62,7 +62,7 @@ void UniformPairsSearch::cover(std::size_t first, double start, double end) {
       checkpoint();
       const Boxes pair = todo_.back();
       todo_.pop_back();
-      look(s, pair, start, end, divisible);
+      evaluate(s, pair, start, end, divisible);
     }
   }
   if (pairs_.size() > last) {
@@ -73,7 +73,7 @@ void UniformPairsSearch::cover(std::size_t first, double start, double end) {
 }
 
 /// Drops the pair if it is disjoint throughout. Otherwise divides it, or defers it to the halves of the stretch.
-void UniformPairsSearch::look(UniformStretch& even, const Boxes& pair, double start, double end, bool divisible) {
+void UniformPairsSearch::evaluate(UniformStretch& even, const Boxes& pair, double start, double end, bool divisible) {
   const Other& other = others_[pair.other];
   const BoxNode &p = other.tree->node(pair.p), &q = mover_->node(pair.q);
   const Stretch& s = even.near(p.box);

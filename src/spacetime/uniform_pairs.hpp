@@ -56,7 +56,7 @@ class UniformPairsSearch {
     std::uint32_t other, p, q;
   };
   void cover(std::size_t first, double start, double end);
-  void look(UniformStretch& s, const Boxes& pair, double start, double end, bool divisible);
+  void evaluate(UniformStretch& s, const Boxes& pair, double start, double end, bool divisible);
   void resolve(const Stretch& s, const RelativePose& relative_pose, std::uint32_t other, const VertexEdge& pair,
                double start, double end);
   void note(LeafTest& leaves, std::uint32_t other, Crossing& found);

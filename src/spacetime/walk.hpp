@@ -22,7 +22,7 @@ struct BoxPair {
 struct StretchOfTime {
   const Stretch& bounds;
   double start, end;
-  bool divisible;  ///< into halves, in which the same pairs are looked at again
+  bool divisible;  ///< into halves, in which the same pairs are evaluated again
   double scale;    ///< about how long the motion keeps its character: of a segment that turns, the window's length
 };
 
@@ -40,12 +40,12 @@ constexpr double subdivision_threshold = 0.75;
 /// worked on in their order: the motion is evaluated once for all pairs of a stretch. What is to be known is the
 /// question's to say; it has
 ///   bool begins(double start)                            a stretch begins; false if nothing in it matters any more
-///   BoxDecision look(const StretchOfTime&, const BoxNode& p, const BoxNode& q)
+///   BoxDecision evaluate(const StretchOfTime&, const BoxNode& p, const BoxNode& q)
 ///   double shortest                                      of the stretches' lengths, that are halved
-///   double distance_of_interest()                        pairs of boxes that stay farther apart need no look
+///   double distance_of_interest()                        pairs of boxes that stay farther apart are not evaluated
 /// and, optionally, `nearer_first`, by which of a pair's halves the nearer one comes first.
 ///
-/// A slice ends between two pairs of boxes: those that are still to be looked at are the state of the walk.
+/// A slice ends between two pairs of boxes: those that are still to be evaluated are the state of the walk.
 template <class Query>
 class Walk {
  public:
@@ -114,7 +114,7 @@ class Walk {
     const double wanted = window_ ? std::min(to - from, window_->fitting_length()) : to - from;
     window_.emplace(segment_, start, to, wanted);
   }
-  /// The next part of the whole that is looked at with one window, of a translation all of it; false if there is none.
+  /// The next part of the whole that is searched with one window, of a translation all of it; false if there is none.
   bool begin_next() {
     if (segment_.translation) {
       if (begun_) return false;
@@ -183,7 +183,7 @@ class Walk {
     if (segment_.translation) return Stretch::of_translation(segment_, polynomial_, from, to);
     return window_->smooth() ? Stretch::of_window(segment_, *window_, from, to) : Stretch::of_range(segment_, *window_);
   }
-  /// A stretch that is to be looked at, and its pairs. Those before them belong to longer stretches, those after them
+  /// A stretch that is to be searched, and its pairs. Those before them belong to longer stretches, those after them
   /// to shorter ones, which are done by then.
   struct Level {
     double start, end;
@@ -199,7 +199,7 @@ class Walk {
         levels_.pop_back();
         continue;
       }
-      if (!look(level, slice)) return false;
+      if (!evaluate(level, slice)) return false;
       stretch_.reset();
       levels_.pop_back();
       if (pairs_.size() == level.last) continue;
@@ -220,7 +220,7 @@ class Walk {
     return true;
   }
   /// At all pairs of a stretch; false if the slice was used up before.
-  bool look(const Level& level, const Slice& slice) {
+  bool evaluate(const Level& level, const Slice& slice) {
     const bool divisible =
         stretch_->r > question_.shortest && level.start < level.middle() && level.middle() < level.end;
     const double scale = segment_.translation || !window_ ? segment_.end - segment_.start : window_->length();
@@ -234,7 +234,7 @@ class Walk {
       checkpoint();
       const BoxPair pair = todo_.back();
       const BoxNode &p = trees_.p.node(pair.p), &q = trees_.q.node(pair.q);
-      const BoxDecision decision = question_.look(time, p, q);
+      const BoxDecision decision = question_.evaluate(time, p, q);
       todo_.pop_back();
       if (decision == BoxDecision::deferred) pairs_.push_back(pair);
       if (decision == BoxDecision::divided) divide(pair, p, q, *stretch_);
@@ -257,8 +257,8 @@ class Walk {
   }
   /// The square of the distance in the middle of the stretch.
   double between_centres(const Stretch& s, const BoxPair& pair) const {
-    const Path way = s.in_p.place(trees_.q.node(pair.q).box.centre, trees_.p.node(pair.p).box.centre);
-    return way.x.a * way.x.a + way.y.a * way.y.a;
+    const Path relative = s.in_p.place(trees_.q.node(pair.q).box.centre, trees_.p.node(pair.p).box.centre);
+    return relative.x.a * relative.x.a + relative.y.a * relative.y.a;
   }
 
   TreePair trees_;

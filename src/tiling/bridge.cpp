@@ -23,8 +23,8 @@ namespace {
 /// such path from there to z_a. (The edge cannot begin beyond that vertex, nor, if it ends on A, end before it: one
 /// side of it would be a bounded polygon with a single convex corner.)
 ///
-/// Two walks look for it, each a line that sweeps over triangles of a pseudo-triangle which the wanted edge closes. Of
-/// a polygon's ears two are not neighbours, so that one of the two triangles on the line is always free; how to find
+/// Two walks search for it, each a line that sweeps over triangles of a pseudo-triangle which the wanted edge closes.
+/// Of a polygon's ears two are not neighbours, so that one of the two triangles on the line is always free; how to find
 /// which is said at each walk.
 class BridgeFinder {
  public:

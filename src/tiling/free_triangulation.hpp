@@ -29,7 +29,7 @@ struct FreeTriangulation {
 /// Triangulates by a plane sweep, O(n log n); returns the overlap instead if the polygons are not disjoint.
 /// (Hertel and Mehlhorn's sweep: each free interval of the sweep line keeps a reflex chain of vertices that wait for
 /// triangles; every new vertex closes what it can see.)
-/// With `check_bodies` it also finds edges of one polygon that cross: separators look at polygons that may.
+/// With `check_bodies` it also finds edges of one polygon that cross: separators take polygons whose edges may.
 std::optional<Overlap> triangulate_free_space(const Placement& placement, FreeTriangulation& result,
                                               bool check_bodies = false);
 

@@ -31,24 +31,24 @@ std::vector<Point> hull_positions(const Placement& placement, const std::vector<
 void add_hull_edges(const std::vector<VertexId>& hull, const std::vector<Point>& points,
                     const std::vector<Point>& other, bool of_p, std::vector<HullEdge>& edges) {
   std::size_t nearest = 0;
-  const auto beyond = [&](std::size_t i, std::size_t j, const Point& way) {
-    return way.y * (other[j].x - points[i].x) - way.x * (other[j].y - points[i].y);
+  const auto beyond = [&](std::size_t i, std::size_t j, const Point& direction) {
+    return direction.y * (other[j].x - points[i].x) - direction.x * (other[j].y - points[i].y);
   };
   for (std::size_t i = 0; i < hull.size(); ++i) {
     const std::size_t next = (i + 1) % hull.size();
-    const Point way{points[next].x - points[i].x, points[next].y - points[i].y};
+    const Point direction{points[next].x - points[i].x, points[next].y - points[i].y};
     if (i == 0) {
       for (std::size_t j = 1; j < other.size(); ++j) {
-        if (beyond(0, j, way) < beyond(0, nearest, way)) nearest = j;
+        if (beyond(0, j, direction) < beyond(0, nearest, direction)) nearest = j;
       }
     }
     for (std::size_t steps = 0; steps < other.size(); ++steps) {
       const std::size_t j = (nearest + 1) % other.size();
-      if (!(beyond(i, j, way) < beyond(i, nearest, way))) break;
+      if (!(beyond(i, j, direction) < beyond(i, nearest, direction))) break;
       nearest = j;
     }
-    const double length = std::hypot(way.x, way.y);
-    if (length > 0) edges.push_back({hull[i], hull[next], length, beyond(i, nearest, way) / length, of_p});
+    const double length = std::hypot(direction.x, direction.y);
+    if (length > 0) edges.push_back({hull[i], hull[next], length, beyond(i, nearest, direction) / length, of_p});
   }
 }
 

@@ -25,7 +25,7 @@ struct LinkBound {
 LinkBound open_link_bound(const Arena& arena);
 
 /// The closed ones around polygon `owner` (0 or 1). The path has `lower` links if RCH(owner) has an edge to the other
-/// polygon, and at most one more otherwise. Empty path if the class need not be looked at: the other polygon lies in a
+/// polygon, and at most one more otherwise. Empty path if the class need not be searched: the other polygon lies in a
 /// pocket of this one, and a curve around the other one is no longer.
 LinkBound closed_link_bound(const Arena& arena, int owner);
 

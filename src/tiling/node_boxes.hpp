@@ -47,7 +47,7 @@ struct NodeSet {
 };
 
 /// The nodes of `tree` to whose regions an edge of `other` may come near; the others' regions hold nothing of it.
-/// Leaves are not looked at. If a node is near, its ancestors are. Gives up, with an incomplete set, after `most`.
+/// Leaves are skipped. If a node is near, its ancestors are. Gives up, with an incomplete set, after `most`.
 NodeSet near_nodes(const BoxedTree& tree, const BoxedTree& other, double margin, std::size_t most);
 
 }  // namespace taut::internal

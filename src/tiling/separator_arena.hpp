@@ -1,4 +1,4 @@
-// Two polygons at rest, triangulated: where separators are looked for.
+// Two polygons at rest, triangulated: where separators are searched.
 #pragma once
 
 #include <array>

@@ -25,7 +25,7 @@ OpenSleeve::Tail around_infinity(const Arena& arena, Gate g, bool left) {
     if (!tail.gates.empty() && at == tail.gates.front()) return tail;
     tail.gates.push_back(at);
     tail.exit.push_back(touches_box(arena, at));
-    if (tail.gates.size() > half_edges(arena)) throw StructureError("no way around the bodies");
+    if (tail.gates.size() > half_edges(arena)) throw StructureError("no path around the bodies");
   }
 }
 
@@ -40,11 +40,11 @@ std::vector<Gate> way_to_box(const Arena& arena, Gate start) {
   for (std::size_t i = 0; i < visits.size(); ++i) {
     const Gate g = visits[i].gate;
     if (touches_box(arena, g)) {
-      std::vector<Gate> way;
-      for (std::size_t k = i; k != 0; k = visits[k].parent) way.push_back(visits[k].gate);
-      way.push_back(start);
-      std::reverse(way.begin(), way.end());
-      return way;
+      std::vector<Gate> path;
+      for (std::size_t k = i; k != 0; k = visits[k].parent) path.push_back(visits[k].gate);
+      path.push_back(start);
+      std::reverse(path.begin(), path.end());
+      return path;
     }
     for (const bool left : {true, false}) {
       const Gate next = step(arena, g, left);
@@ -80,7 +80,7 @@ std::vector<Gate> core_of_pocket(const Arena& arena, Gate any) {
     core.insert(core.end(), out.begin(), out.end());
     return core;
   }
-  throw StructureError("no way from between the bodies to infinity");
+  throw StructureError("no path from between the bodies to infinity");
 }
 
 }  // namespace

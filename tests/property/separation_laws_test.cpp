@@ -102,23 +102,24 @@ void expect_law(const MotionSegment& segment, const WindowModel& model, bool fro
                 Vector a) {
   const auto [pp, qq] = frame_values(segment, Exact::exact(t));
   const auto& f = from_p ? pp : qq;
-  ExactVectorBall shift{f[1], f[2]}, turn{f[3], f[4]};
+  ExactVectorBall shift{f[1], f[2]}, rotation{f[3], f[4]};
   if (!from_p) {
     shift = ExactVectorBall{Exact::exact(0), Exact::exact(0)} - shift;
-    turn.y = Exact::exact(0) - turn.y;
+    rotation.y = Exact::exact(0) - rotation.y;
   }
   const ExactVectorBall scale{f[0], Exact::exact(0)};
   // Relative to the fixed point, as both are.
   const ExactVectorBall truly =
-      shift + turn * with_offset(segment, !from_p, v) - scale * with_offset(segment, from_p, a);
+      shift + rotation * with_offset(segment, !from_p, v) - scale * with_offset(segment, from_p, a);
   const Exact h = Exact::exact(t) - Exact::exact(middle);
   const ExactVectorBall by{h, Exact::exact(0)}, half_square{h * h * 0.5, Exact::exact(0)};
   const auto second_order = [&](Vector value, Vector rate, Vector second) {
     return exactly(value) + by * exactly(rate) + half_square * exactly(second);
   };
   const ExactVectorBall said = second_order(model.shift, model.shift_rate, model.shift_second) +
-                               second_order(model.turn, model.turn_rate, model.turn_second) * exactly(v) - exactly(a);
-  const double allowed = model.shift_error + model.turn_error * l1_norm(v) + model.scale_error * l1_norm(a) +
+                               second_order(model.rotation, model.rotation_rate, model.rotation_second) * exactly(v) -
+                               exactly(a);
+  const double allowed = model.shift_error + model.rotation_error * l1_norm(v) + model.scale_error * l1_norm(a) +
                          0x1p-44 * (model.size * (1 + l1_norm(v)) + l1_norm(a));
   if (!std::isfinite(allowed)) return;
   EXPECT_LE(size_of(truly - said), allowed * (1 + 0x1p-30)) << "at " << t;
@@ -316,9 +317,9 @@ class SampledPath {
   /// The least and the greatest that the products with n are, of any of these points.
   std::pair<double, double> extent(Vector n, const std::vector<Vector>& points) const {
     std::pair<double, double> found{INFINITY, -INFINITY};
-    for (const auto& [shift, turn] : poses_) {
+    for (const auto& [shift, rotation] : poses_) {
       for (const Vector v : points) {
-        const double along = dot(n, shift + turn * (v + own_) - base_);
+        const double along = dot(n, shift + rotation * (v + own_) - base_);
         found = {std::min(found.first, along), std::max(found.second, along)};
       }
     }

@@ -34,9 +34,10 @@ std::vector<double> stretches(const MotionSegment& segment, bool at_end) {
   return cuts;
 }
 
-void compare(const PairGeometry& geometry, const MotionSegment& segment, bool at_end, Ways ways, Seen& seen) {
-  PreciseCrossings alone(geometry, segment, ways), precise(geometry, segment, ways);
-  CrossingsNearEnd kept(segment, ways, precise);
+void compare(const PairGeometry& geometry, const MotionSegment& segment, bool at_end, CrossingDirections directions,
+             Seen& seen) {
+  PreciseCrossings alone(geometry, segment, directions), precise(geometry, segment, directions);
+  CrossingsNearEnd kept(segment, directions, precise);
   const std::vector<double> cuts = stretches(segment, at_end);
   const auto np = static_cast<std::uint32_t>(geometry.np), all = static_cast<std::uint32_t>(geometry.size());
   for (std::uint32_t v = 0; v < all; ++v) {
@@ -63,7 +64,8 @@ void compare(const Scene& scene, Seen& seen) {
   for (const MotionSegment& segment : segments_of(bodies, scene.start, scene.end)) {
     for (const bool at_end : {false, true}) {
       if (segment.bridge || !segment.singular_at(at_end ? segment.end : segment.start)) continue;
-      for (const Ways ways : {Ways::into, Ways::both}) compare(geometry, segment, at_end, ways, seen);
+      for (const CrossingDirections directions : {CrossingDirections::into, CrossingDirections::both})
+        compare(geometry, segment, at_end, directions, seen);
     }
   }
 }
@@ -105,7 +107,7 @@ TEST(RootsBesideAnEnd, AreSharpenedInFewSteps) {
   int sharpened = 0;
   for (const MotionSegment& segment : segments_of(bodies, scene.start, scene.end)) {
     if (segment.bridge || !segment.singular_at(segment.start)) continue;
-    PreciseCrossings crossings(geometry, segment, Ways::both);
+    PreciseCrossings crossings(geometry, segment, CrossingDirections::both);
     const auto np = static_cast<std::uint32_t>(geometry.np), all = static_cast<std::uint32_t>(geometry.size());
     for (std::uint32_t v = 0; v < all; ++v) {
       for (std::uint32_t e = v < np ? np : 0; e < (v < np ? all : np); ++e) {
@@ -150,7 +152,7 @@ TEST(CrossingsNearEnd, TwoInOneDoubleStayApart) {
   int pairs = 0;
   for (std::uint32_t e = 0; e < geometry.np; ++e) {
     for (std::uint32_t v = geometry.np; v < geometry.size(); ++v) {
-      PreciseCrossings crossings(geometry, segment, Ways::both);
+      PreciseCrossings crossings(geometry, segment, CrossingDirections::both);
       const VertexEdge pair{VertexId(v), VertexId(e)};
       const auto in = crossings.first(pair, segment.start, segment.end);
       if (!in || in->lo < std::nextafter(segment.end, 0)) continue;

@@ -1,6 +1,6 @@
 // The bodies of a scene below their parents: colours, numbers, and which are to be seen; and the pairs that are ignored.
 import { h } from "./dom";
-import type { Scene, WorldLooks } from "./engine";
+import type { Scene, WorldStyles } from "./engine";
 import { heightsOf, heightsText, layersOf, layersText, type Hidden } from "./heights";
 import { treeOf, type Branch } from "./shapes";
 
@@ -31,7 +31,7 @@ export class BodyTree {
     this.key = "";
   }
 
-  show(scene: Scene, world: WorldLooks | null): void {
+  show(scene: Scene, world: WorldStyles | null): void {
     const key = JSON.stringify([scene.bodies.map((b) => [b.name, b.relative_to, layersText(b)]), scene.ignore, !world]);
     if (key === this.key) return;
     this.key = key;
@@ -75,13 +75,13 @@ export class BodyTree {
     this.layers.replaceChildren(h("p", {}, "Layers:"), h("ul", {}, ...texts.map(row)));
   }
 
-  private branch(scene: Scene, world: WorldLooks | null, { body, children }: Branch): HTMLElement {
+  private branch(scene: Scene, world: WorldStyles | null, { body, children }: Branch): HTMLElement {
     const { name } = scene.bodies[body];
     const box = this.box(this.host.hidden.bodies, body, name);
     const heights = layersText(scene.bodies[body]);
-    const look = world?.looks[body % world.looks.length];
+    const style = world?.styles[body % world.styles.length];
     const chip = h("i", { class: "number", "aria-hidden": "true" }, String(body + 1));
-    if (look) Object.assign(chip.style, { background: look[0], borderColor: look[1], color: look[2] });
+    if (style) Object.assign(chip.style, { background: style[0], borderColor: style[1], color: style[2] });
     const below = children.map((child) => this.branch(scene, world, child));
     return h(
       "li",

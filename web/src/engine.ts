@@ -87,13 +87,13 @@ export interface Answer {
 }
 
 /** What pictures need of bodies: see shapes_text() in wasm/world.hpp. */
-export interface WorldLooks {
+export interface WorldStyles {
   /** Bodies, those first that are painted first. */
   order: number[];
   /** Of each body: x, y, how far from the boundary, and the part that it is in. */
   inner: [number, number, number, number][];
   /** Fill, line, and what is written on the fill; they come again after the last. */
-  looks: [string, string, string][];
+  styles: [string, string, string][];
   /** Of each body, part and ring with curves; polygons have none. */
   bands?: Band[][][];
 }
@@ -111,7 +111,7 @@ export interface Status {
   max: number;
   answer: Answer;
   /** Of more than two polygons, of which there is no tiling. */
-  world?: WorldLooks;
+  world?: WorldStyles;
 }
 
 export type Ring = [number, number][];
@@ -253,8 +253,8 @@ export class Engine {
   }
 
   /** What pictures need of the bodies of any valid scene. */
-  shapes(scene: string): WorldLooks {
-    return this.call<{ shapes: WorldLooks }>([scene], (t) => this.module._taut_shapes(t)).shapes;
+  shapes(scene: string): WorldStyles {
+    return this.call<{ shapes: WorldStyles }>([scene], (t) => this.module._taut_shapes(t)).shapes;
   }
 
   readOutline(text: string, name: string): Part[] {

@@ -1,5 +1,5 @@
 // What one frame shows.
-import type { Pose, WorldLooks } from "./engine";
+import type { Pose, WorldStyles } from "./engine";
 import type { Figure } from "./figure";
 import type { Hidden } from "./heights";
 import type { Edge, MapEvent, Replay } from "./replay";
@@ -56,7 +56,7 @@ export interface Frame {
   names: string[];
   poses: Pose[];
   /** How bodies look that are more than two polygons. */
-  world: WorldLooks | null;
+  world: WorldStyles | null;
   hidden: Hidden;
   /** Null where there is no map: bodies that overlap, or a scene that is being edited. */
   replay: Replay | null;

@@ -1,5 +1,5 @@
 // Time: what the engine has found so far, which instant is shown, and how it moves.
-import { Engine, TautError, type ContactAnswer, type Pose, type Scene, type Status, type WorldLooks } from "./engine";
+import { Engine, TautError, type ContactAnswer, type Pose, type Scene, type Status, type WorldStyles } from "./engine";
 import type { Figure } from "./figure";
 import { Replay, type MapEvent } from "./replay";
 import type { ContactMarks, EventMarks } from "./frame";
@@ -184,7 +184,7 @@ export class Player {
   }
 
   /** How bodies look of which there is no tiling. */
-  get world(): WorldLooks | null {
+  get world(): WorldStyles | null {
     return this.status.world ?? null;
   }
 

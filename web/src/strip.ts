@@ -50,7 +50,7 @@ export class EventStrip {
     // Where a body's motion goes over to its next piece.
     const { world } = player;
     player.scene.bodies.forEach((body, b) => {
-      c.fillStyle = world ? world.looks[b % world.looks.length][0] : colours.bodyFill[b];
+      c.fillStyle = world ? world.styles[b % world.styles.length][0] : colours.bodyFill[b];
       for (const { until } of piecesOf(body)) {
         if (until === undefined || until <= player.start || until >= player.end) continue;
         c.beginPath();

@@ -1,7 +1,7 @@
 // Bodies of a world, each in a colour and with a number of its own. Holes are open, and parts that overlap are one.
 import type { Camera } from "./camera";
 import { addRing } from "./curvedrawing";
-import type { Band, Pose, WorldLooks } from "./engine";
+import type { Band, Pose, WorldStyles } from "./engine";
 import type { Frame, Layers } from "./frame";
 import { sheetsOf, type Sheet } from "./heights";
 import { Labels } from "./labels";
@@ -27,7 +27,7 @@ export class WorldPainter {
   ) {}
 
   /** How many vertices were drawn. */
-  draw(frame: Frame, world: WorldLooks, layers: Layers, colours: Colours): number {
+  draw(frame: Frame, world: WorldStyles, layers: Layers, colours: Colours): number {
     const shown = this.sheets(frame, world).filter(({ body, z }) => !frame.hidden.hides(body, z));
     let vertices = 0;
     if (layers.proof && layers.tiling && frame.tilings && !frame.hidden.any) this.tilings(frame.tilings(), colours);
@@ -39,7 +39,7 @@ export class WorldPainter {
   }
 
   /** Those that are painted first come first. */
-  private sheets({ shapes }: Frame, { order }: WorldLooks): Sheet[] {
+  private sheets({ shapes }: Frame, { order }: WorldStyles): Sheet[] {
     if (this.sorted?.shapes !== shapes || this.sorted.order !== order) {
       const known = order.filter((b) => b < shapes.length);
       this.sorted = { shapes, order, sheets: sheetsOf(shapes, known) };
@@ -63,11 +63,11 @@ export class WorldPainter {
     }
   }
 
-  private sheet(frame: Frame, sheet: Sheet, world: WorldLooks, layers: Layers, colours: Colours): number {
+  private sheet(frame: Frame, sheet: Sheet, world: WorldStyles, layers: Layers, colours: Colours): number {
     const c = this.context;
     const { body } = sheet;
     const parts = sheet.parts.map((part) => frame.shapes[body].parts[part]);
-    const [fill, line] = world.looks[body % world.looks.length];
+    const [fill, line] = world.styles[body % world.styles.length];
     const paths = parts.map((rings) => this.partPath(frame, body, rings));
     c.fillStyle = fill;
     c.strokeStyle = colours.worldLine || line;
@@ -141,7 +141,7 @@ export class WorldPainter {
     }
   }
 
-  private number(frame: Frame, { body, parts }: Sheet, world: WorldLooks): void {
+  private number(frame: Frame, { body, parts }: Sheet, world: WorldStyles): void {
     const [u, v, room, part] = world.inner[body] ?? [0, 0, 0, 0];
     if (room * this.camera.scale < roomForNumber || !parts.includes(part)) return;
     const c = this.context;
@@ -150,7 +150,7 @@ export class WorldPainter {
     const text = String(body + 1);
     const { width } = c.measureText(text);
     if (!this.numbers.take({ x: x - width / 2, y: y + 4, width }, 11)) return;
-    c.fillStyle = world.looks[body % world.looks.length][2];
+    c.fillStyle = world.styles[body % world.styles.length][2];
     c.fillText(text, x - width / 2, y + 4);
   }
 
