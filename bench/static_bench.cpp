@@ -12,7 +12,7 @@
 #include "scene/placement.hpp"
 #include "session/world_simulation.hpp"
 #include "tiling/checks.hpp"
-#include "tiling/static_tiling.hpp"
+#include "tiling/root_faces.hpp"
 
 namespace taut::bench {
 using namespace internal;

@@ -3,7 +3,7 @@
 usage: layers_test.py PROJECT
 
 Where each layer is a library of its own, the linker sees to that. Builds that compile the whole library as a few files
-(cmake/layers.cmake) link whatever is called: here the headers that are included tell, but for the public ones, which have
+(cmake/layers.cmake) link whatever is called: here the headers that are included decide, but for the public ones, which have
 types for all."""
 
 import re
@@ -15,8 +15,8 @@ from pathlib import Path
 own_rules = """
     scene/instance.hpp scene/changing_boxes.hpp scene/free_cells.hpp scene/meeting_boxes.hpp
     scene/near_stretches.hpp scene/pairs_in_reach.hpp scene/swept_box.hpp
-    geometry/arc_frame.hpp geometry/band.hpp geometry/banded_part.hpp geometry/cell.hpp geometry/cell_proof.hpp
-    geometry/flat_part.hpp geometry/meeting_cells.hpp geometry/nesting.hpp geometry/piece.hpp geometry/wide.hpp
+    geometry/band.hpp geometry/banded_part.hpp geometry/cell.hpp geometry/flat_part.hpp geometry/nesting.hpp
+    geometry/piece.hpp geometry/wide.hpp
 """.split()
 
 

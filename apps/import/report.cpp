@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "import/import.hpp"
-#include "io/heights_text.hpp"
 #include "io/json_text.hpp"
+#include "io/number_text.hpp"
 #include "io/text_file.hpp"
 
 namespace taut::drawing {

@@ -16,7 +16,6 @@
 #include "commands.hpp"
 #include "interrupt.hpp"
 #include "io/json_text.hpp"
-#include "io/regular_file.hpp"
 #include "io/terminal_text.hpp"
 #include "io/text_file.hpp"
 #include "progress.hpp"

@@ -9,7 +9,7 @@
 #include "feature_text.hpp"
 #include "io/answer_json.hpp"
 #include "io/json_text.hpp"
-#include "io/regular_file.hpp"
+#include "io/text_file.hpp"
 #include "numeric/budget.hpp"
 #include "progress.hpp"
 #include "taut/error.hpp"

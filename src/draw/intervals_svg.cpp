@@ -6,7 +6,6 @@
 
 #include "draw/svg_canvas.hpp"
 #include "draw/svg_plot.hpp"
-#include "draw/svg_style.hpp"
 #include "io/number_text.hpp"
 #include "taut/intervals.hpp"
 #include "taut/motions.hpp"

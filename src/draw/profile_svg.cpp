@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "draw/svg_canvas.hpp"
 #include "draw/svg_plot.hpp"
-#include "draw/svg_style.hpp"
 #include "io/number_text.hpp"
 #include "taut/clearance.hpp"
 

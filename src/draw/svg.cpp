@@ -8,7 +8,6 @@
 
 #include "draw/svg_canvas.hpp"
 #include "draw/svg_legend.hpp"
-#include "draw/svg_style.hpp"
 #include "io/number_text.hpp"
 #include "io/text_file.hpp"
 #include "taut/io.hpp"

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "draw/svg_canvas.hpp"
-#include "draw/svg_style.hpp"
 #include "io/text_file.hpp"
 
 namespace taut::internal::io {

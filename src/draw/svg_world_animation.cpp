@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "draw/svg_style.hpp"
+#include "draw/svg_canvas.hpp"
 #include "draw/svg_track.hpp"
 #include "draw/svg_world_legend.hpp"
 #include "draw/world_marks.hpp"

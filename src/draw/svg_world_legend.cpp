@@ -7,7 +7,7 @@
 
 #include "draw/svg_canvas.hpp"
 #include "draw/world_shapes.hpp"
-#include "io/heights_text.hpp"
+#include "io/number_text.hpp"
 #include "io/text_file.hpp"
 #include "scene/cross_sections.hpp"
 

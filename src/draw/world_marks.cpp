@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "draw/svg_style.hpp"
+#include "draw/svg_canvas.hpp"
 #include "draw/svg_track.hpp"
 #include "io/text_file.hpp"
 

@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "draw/curve_path.hpp"
 #include "draw/svg_canvas.hpp"
 #include "draw/world_shapes.hpp"
 #include "taut/io.hpp"

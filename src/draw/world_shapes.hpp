@@ -1,10 +1,12 @@
 // The bodies of a world as a picture needs them.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "taut/feature.hpp"
+#include "taut/outline.hpp"
 #include "taut/pose.hpp"
 #include "taut/scene.hpp"
 
@@ -73,5 +75,15 @@ Point placed(const BodyPose& pose, const Point& p);
 
 /// "A x B", cut to what fits.
 std::string pair_text(const Scene& scene, BodyId a, BodyId b);
+
+/// Takes a point of a body to where it is drawn: turned, moved, enlarged and mirrored, but never sheared.
+using PlaceOnPage = std::function<Point(const Point&)>;
+
+/// The rings of a part as the data of one SVG path, for the rule evenodd: arcs stay arcs, and Bezier curves what they
+/// are.
+std::string curve_path(const CurvedPart& part, const PlaceOnPage& place);
+
+/// The rings as polygons for measuring, each near enough to its curve for a picture.
+std::vector<Polygon> sketched(const CurvedPart& part);
 
 }  // namespace taut::internal::io

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "draw/svg_style.hpp"
+#include "draw/svg_canvas.hpp"
 
 namespace taut::internal::io {
 

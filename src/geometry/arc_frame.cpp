@@ -1,4 +1,4 @@
-#include "geometry/arc_frame.hpp"
+#include "geometry/piece.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,7 @@
 // A closed curve in a band of cells, finer wherever somebody asks for it.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -47,5 +48,14 @@ class Band {
 
 /// The segments of the ring, the closing line included where the outline needs one.
 std::vector<CurveSegment> closed_segments(const Outline& outline);
+
+/// A cell of one of several bands.
+struct CellId {
+  int band = 0, cell = 0;
+};
+
+/// All pairs of cells that meet elsewhere than neighbours may, in their gate; by exact signs, about O(n log n) where
+/// few meet.
+std::vector<std::array<CellId, 2>> meeting_cells(const std::vector<const Band*>& bands);
 
 }  // namespace taut::internal::curve

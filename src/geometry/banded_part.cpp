@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "geometry/meeting_cells.hpp"
+#include "geometry/band.hpp"
 #include "geometry/part_validation.hpp"
 #include "taut/error.hpp"
 

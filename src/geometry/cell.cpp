@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/cell_proof.hpp"
 #include "geometry/predicates.hpp"
 #include "geometry/vector.hpp"
 

@@ -61,4 +61,7 @@ struct Split {
 };
 std::optional<Split> split(const Cell& cell, const Gate& first, const Gate& last, const Resolution& resolution);
 
+/// C1 to C4 of cell.hpp, for a piece that is not a line.
+bool verified(const Cell& cell, const Gate& first, const Gate& last);
+
 }  // namespace taut::internal::curve

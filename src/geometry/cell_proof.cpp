@@ -1,4 +1,4 @@
-#include "geometry/cell_proof.hpp"
+#include "geometry/cell.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "geometry/meeting_cells.hpp"
+#include "geometry/band.hpp"
 
 #include <algorithm>
 #include <cmath>

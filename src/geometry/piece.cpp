@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/arc_frame.hpp"
 #include "geometry/predicates.hpp"
 #include "numeric/exact_sum.hpp"
 #include "numeric/overloaded.hpp"

@@ -17,6 +17,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "geometry/wide.hpp"
@@ -57,5 +58,13 @@ std::vector<Piece> pieces_of(const Point& from, const CurveSegment& segment, int
 
 /// Two pieces, cut in the middle; not of lines.
 std::array<Piece, 2> halves(const Piece& piece);
+
+struct CentredArc {
+  ArcFrame frame;
+  std::array<WidePoint, 2> unit;  ///< where it begins and ends, on the unit circle
+};
+
+/// Appendix B.2.4 of SVG 2, with a bound of every error; radii are positive, the ends differ.
+CentredArc centred(const Point& from, const ArcTo& arc);
 
 }  // namespace taut::internal::curve

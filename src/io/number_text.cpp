@@ -1,7 +1,6 @@
 #include "io/number_text.hpp"
 
 #include <fmt/format.h>
-
 #include <charconv>
 #include <clocale>
 #include <cmath>
@@ -66,6 +65,12 @@ std::optional<double> scan_number(const std::string& text, std::size_t* position
   const std::size_t point = number.find('.');
   if (point != std::string::npos) number.replace(point, 1, std::localeconv()->decimal_point);
   return std::strtod(number.c_str(), nullptr);
+}
+
+std::string heights_text(const Layers& z) {
+  if (z == Layers{}) return "all layers";
+  const auto end = [](double height) { return std::isfinite(height) ? number_text(height) : std::string(); };
+  return "z " + end(z.lo) + ".." + end(z.hi);
 }
 
 }  // namespace taut::internal::io

@@ -1,9 +1,11 @@
-// Numbers as text, whatever the locale.
+// Numbers and heights as text.
 #pragma once
 
 #include <cstddef>
 #include <optional>
 #include <string>
+
+#include "taut/geometry.hpp"
 
 namespace taut::internal::io {
 
@@ -17,5 +19,8 @@ std::string instant_text(double t, double start, double end, int usual);
 /// Reads a decimal number that starts at `*position` and moves `*position` behind it. Empty (and nothing moves) if
 /// there is none. The result may be infinite if the decimal is too large.
 std::optional<double> scan_number(const std::string& text, std::size_t* position);
+
+/// "z 0..3", "z 3.." where there is no upper end, or "all layers".
+std::string heights_text(const Layers& z);
 
 }  // namespace taut::internal::io

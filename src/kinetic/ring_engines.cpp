@@ -8,7 +8,7 @@
 #include "geometry/hull.hpp"
 #include "numeric/errors.hpp"
 #include "scene/placement.hpp"
-#include "tiling/shape_tiling.hpp"
+#include "tiling/prepared_tiling.hpp"
 
 namespace taut::internal {
 

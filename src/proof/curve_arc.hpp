@@ -1,10 +1,40 @@
-// Arcs of SVG, derived for the verifier alone: by the symmetry of an arc about its middle.
+// Points and arcs of curves, as the verifier of proofs about curves computes them.
 #pragma once
 
-#include "proof/curve_point.hpp"
+#include <array>
+#include <optional>
+
+#include "numeric/ball.hpp"
+#include "taut/geometry.hpp"
 #include "taut/outline.hpp"
 
 namespace taut::internal::proof {
+
+using CurveReal = WideFloat<192>;
+using CurveNumber = Ball<CurveReal>;
+
+/// A sign, 0 included; nothing if it is not certain.
+using CertainSign = std::optional<int>;
+
+inline bool is_exact(const CurveNumber& x) { return x.rad == 0 && x.mid.is_defined(); }
+inline bool is_zero(const CurveNumber& x) { return is_exact(x) && x.mid.is_zero(); }
+
+/// The sum; exact if both are, and 192 bits hold it.
+CurveNumber sum_of(const CurveNumber& a, const CurveNumber& b);
+/// The sign of a - b.
+CertainSign order_of(const CurveNumber& a, const CurveNumber& b);
+
+struct CurvePoint {
+  CurveNumber x, y;
+
+  static CurvePoint of(const Point& p) { return {CurveNumber::exact(p.x), CurveNumber::exact(p.y)}; }
+  Point rounded() const { return {x.mid.to_double(), y.mid.to_double()}; }
+};
+
+CurvePoint middle_of(const CurvePoint& a, const CurvePoint& b);
+
+/// The sign of (b - a) x (c - a): is c to the left (1) or to the right (-1) of the line from a to b, or on it (0)?
+CertainSign side_of(const CurvePoint& a, const CurvePoint& b, const CurvePoint& c);
 
 /// The image of the unit circle under u -> centre + u.x a + u.y b.
 struct Ellipse {

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "proof/curve_point.hpp"
+#include "proof/curve_arc.hpp"
 
 namespace taut::internal::proof {
 

@@ -18,7 +18,6 @@
 #include "proof/proved_contact.hpp"
 #include "proof/stretch_of_segments.hpp"
 #include "proof/verifier_world.hpp"
-#include "proof/verify_curves.hpp"
 #include "proof/verify_separations.hpp"
 #include "scene/validate_scene.hpp"
 #include "taut/validate.hpp"

@@ -1,5 +1,5 @@
 // What a valid log about curves proves, and why: docs/separation-logs.md.
-#include "proof/verify_curves.hpp"
+#include "proof/verify_separations.hpp"
 
 #include <algorithm>
 #include <sstream>

@@ -11,7 +11,7 @@
 #include "proof/proved_contact.hpp"
 #include "scene/placement.hpp"
 #include "taut/proof.hpp"
-#include "tiling/static_tiling.hpp"
+#include "tiling/root_faces.hpp"
 
 namespace taut::internal {
 

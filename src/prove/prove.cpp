@@ -4,7 +4,6 @@
 #include "numeric/budget.hpp"
 #include "numeric/errors.hpp"
 #include "prove/proof_writer.hpp"
-#include "prove/prove_curves.hpp"
 #include "prove/prove_separations.hpp"
 #include "scene/curved_world.hpp"
 #include "scene/validate_scene.hpp"

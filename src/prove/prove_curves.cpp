@@ -1,4 +1,4 @@
-#include "prove/prove_curves.hpp"
+#include "prove/prove_separations.hpp"
 
 #include <functional>
 #include <sstream>

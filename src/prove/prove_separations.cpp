@@ -10,7 +10,6 @@
 #include "numeric/errors.hpp"
 #include "numeric/undecided.hpp"
 #include "proof/header.hpp"
-#include "prove/prove_curves.hpp"
 #include "prove/separations_writer.hpp"
 #include "scene/curved_world.hpp"
 #include "spacetime/first_contact.hpp"

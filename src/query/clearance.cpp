@@ -18,7 +18,7 @@
 #include "scene/validate_scene.hpp"
 #include "solver/pair_instance.hpp"
 #include "solver/run.hpp"
-#include "spacetime/resolve_nearest.hpp"
+#include "spacetime/clearance.hpp"
 #include "taut/error.hpp"
 
 namespace taut {

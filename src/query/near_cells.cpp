@@ -1,4 +1,4 @@
-#include "query/near_cells.hpp"
+#include "query/bracket.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,7 @@
 #include <algorithm>
 
 #include "numeric/budget.hpp"
-#include "spacetime/distance_bound.hpp"
-#include "spacetime/resolve_nearest.hpp"
+#include "spacetime/clearance.hpp"
 
 namespace taut::internal {
 

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include "spacetime/first_contact.hpp"
+#include "taut/check.hpp"
 
 namespace taut::internal::spacetime {
 
@@ -38,5 +40,18 @@ void find_nearest_within(const PairGeometry& geometry, const TreePair& trees, co
 /// there are nearly always determined correctly, without an evaluation of the motion.
 void find_nearest_in_middle(const PairGeometry& geometry, const TreePair& trees, const MotionSegment& segment,
                             const Stretch& stretch, const ClearanceTolerance& tolerance, Nearest& best);
+
+/// Closes the gap that find_nearest() may have left. Whether the bodies keep a margin is decided at any precision, so
+/// queries with margins between the certain lower bound and the least distance found bring the two together. The search
+/// is within a window, at whose start the bodies must not overlap. Afterwards best.unresolved is infinite, or the
+/// search for a margin was not decided, and the reason is returned.
+std::string resolve_nearest(const PairGeometry& geometry, const TreePair& trees, const MotionSegments& segments,
+                            const TimeInterval& window, const ClearanceTolerance& tolerance, Nearest& best);
+
+/// An upper bound of the bodies' distance at all times from `from` to `to` (from < to), in internal units. Any two
+/// points of the bodies bound the distance. Here they belong to a vertex and an edge that are nearest in the middle, so
+/// the bound becomes tight as the stretch becomes short.
+double distance_bound(const PairGeometry& geometry, const TreePair& trees, const MotionSegments& segments, double from,
+                      double to, const ClearanceTolerance& tolerance);
 
 }  // namespace taut::internal::spacetime

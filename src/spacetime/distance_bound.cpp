@@ -1,4 +1,4 @@
-#include "spacetime/distance_bound.hpp"
+#include "spacetime/clearance.hpp"
 
 #include <algorithm>
 #include <optional>

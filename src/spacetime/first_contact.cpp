@@ -9,7 +9,6 @@
 #include "scene/placement.hpp"
 #include "spacetime/flat_sides.hpp"
 #include "spacetime/leaf_test.hpp"
-#include "spacetime/quick_separation.hpp"
 #include "spacetime/walk.hpp"
 #include "taut/check.hpp"
 

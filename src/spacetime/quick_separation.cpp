@@ -1,4 +1,4 @@
-#include "spacetime/quick_separation.hpp"
+#include "spacetime/first_contact.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "spacetime/resolve_nearest.hpp"
+#include "spacetime/clearance.hpp"
 
 #include <cmath>
 

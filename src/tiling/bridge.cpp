@@ -1,4 +1,4 @@
-#include "tiling/bridge.hpp"
+#include "tiling/root_faces.hpp"
 
 #include <algorithm>
 #include <deque>

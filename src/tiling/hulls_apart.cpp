@@ -1,4 +1,4 @@
-#include "tiling/hulls_apart.hpp"
+#include "tiling/prepared_tiling.hpp"
 
 #include <algorithm>
 #include <cmath>

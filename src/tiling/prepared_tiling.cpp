@@ -4,7 +4,6 @@
 
 #include "numeric/budget.hpp"
 #include "tiling/geodesic_faces.hpp"
-#include "tiling/hulls_apart.hpp"
 
 namespace taut::internal {
 namespace {

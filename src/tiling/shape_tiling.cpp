@@ -1,4 +1,4 @@
-#include "tiling/shape_tiling.hpp"
+#include "tiling/prepared_tiling.hpp"
 
 #include "tiling/geodesic_faces.hpp"
 

@@ -12,7 +12,7 @@
 #include "support/random_scenes.hpp"
 #include "support/tiling_run.hpp"
 #include "tiling/geodesic_faces.hpp"
-#include "tiling/static_tiling.hpp"
+#include "tiling/root_faces.hpp"
 
 namespace taut::testing {
 using namespace internal;

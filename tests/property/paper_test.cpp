@@ -19,7 +19,7 @@
 #include "taut/separator.hpp"
 #include "taut/simulation.hpp"
 #include "tiling/checks.hpp"
-#include "tiling/static_tiling.hpp"
+#include "tiling/root_faces.hpp"
 
 namespace taut::testing {
 using namespace internal;

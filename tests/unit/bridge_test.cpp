@@ -1,6 +1,6 @@
 // The bridge over the corner between two hulls, against its definition: all pairs of vertices, each held against both
 // chains.
-#include "tiling/bridge.hpp"
+#include "tiling/root_faces.hpp"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,6 @@
 #include "support/random_scenes.hpp"
 #include "support/tight_mouth.hpp"
 #include "tiling/geodesic_faces.hpp"
-#include "tiling/static_tiling.hpp"
 
 namespace taut::testing {
 using namespace internal;

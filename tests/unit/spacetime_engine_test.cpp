@@ -12,7 +12,7 @@
 #include "scene/placement.hpp"
 #include "spacetime/box_separation.hpp"
 #include "spacetime/first_contact.hpp"
-#include "spacetime/local_expansion.hpp"
+#include "spacetime/leaf_test.hpp"
 #include "support/random_scenes.hpp"
 #include "taut/io.hpp"
 #include "tiling/free_triangulation.hpp"

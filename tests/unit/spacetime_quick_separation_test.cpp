@@ -1,5 +1,5 @@
 // A glance that says two bodies are apart, against the search that makes models of their motion.
-#include "spacetime/quick_separation.hpp"
+#include "spacetime/first_contact.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,6 @@
 
 #include "motion/make_segments.hpp"
 #include "scene/body_pair.hpp"
-#include "spacetime/first_contact.hpp"
 #include "support/effort.hpp"
 #include "support/rng.hpp"
 

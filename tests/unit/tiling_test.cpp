@@ -11,8 +11,8 @@
 #include "scene/placement.hpp"
 #include "support/rng.hpp"
 #include "tiling/checks.hpp"
-#include "tiling/shape_tiling.hpp"
-#include "tiling/static_tiling.hpp"
+#include "tiling/prepared_tiling.hpp"
+#include "tiling/root_faces.hpp"
 #include "tiling/sweep_status.hpp"
 
 namespace taut::testing {
