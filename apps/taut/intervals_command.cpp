@@ -59,7 +59,7 @@ std::string untested_text(const Scene& scene, const std::string& reason) {
 }
 
 /// The weakest part of the answer.
-std::string headline(const Intervals& answer, const std::string& found) {
+std::string first_line(const Intervals& answer, const std::string& found) {
   const std::size_t open = answer.undecided.size();
   if (open > 0) return fmt::format("UNDECIDED  {} pair{}; of the others {}", open, open == 1 ? "" : "s", found);
   if (answer.intervals.empty()) return "NO OVERLAP";
@@ -70,7 +70,7 @@ std::string text_of_answer(const Scene& scene, const Intervals& answer, bool all
   if (answer.outcome == Outcome::untested) return untested_text(scene, answer.reason);
   const std::size_t n = answer.intervals.size();
   const std::string found = fmt::format("{} interval{} of overlap", n, n == 1 ? "" : "s");
-  std::string text = headline(answer, found) + fmt::format("   on [{}, {}]\n", scene.start, scene.end);
+  std::string text = first_line(answer, found) + fmt::format("   on [{}, {}]\n", scene.start, scene.end);
   text += grounds_text(scene, answer.coverage);
   if (answer.outcome == Outcome::undecided) text += "  " + answer.reason + "\n";
   for (const OverlapInterval& o : answer.intervals) text += text_of_answer(scene, o);

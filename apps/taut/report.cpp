@@ -20,7 +20,7 @@ std::string angle_text(const Scene& scene, const Contact& contact) {
   return angle ? fmt::format("   (angle {:.9g} deg)", angle->lo + (angle->hi - angle->lo) / 2) : "";
 }
 
-std::string headline(const Scene& scene, const Answer& answer) {
+std::string first_line(const Scene& scene, const Answer& answer) {
   const std::string pair = subject_text(scene, answer.pair);
   switch (answer.outcome) {
     case Outcome::free:
@@ -141,7 +141,7 @@ std::string grounds_text(const Scene& scene, const Coverage& coverage) {
 }
 
 std::string report(const Scene& scene, const Answer& answer, Touch touch) {
-  std::string text = headline(scene, answer) + "\n";
+  std::string text = first_line(scene, answer) + "\n";
   if (answer.outcome == Outcome::untested) return text + "  " + answer.reason + "\n";
   text += grounds_text(scene, answer.coverage);
   if (answer.contact) text += witness(scene, *answer.contact);

@@ -13,8 +13,8 @@ namespace taut::internal {
 /// Collects cells, each once. A cell is a square of side 1 here: coordinates are in cells.
 class CellRaster {
  public:
-  /// Rings of one body, posed; `margin` > 0. Adds every cell that is at most `margin` away from the body, and none that
-  /// is more than margin + slack away. The slack covers the rounding of coordinates of that magnitude. Throws
+  /// Rings of one body, placed; `margin` > 0. Adds every cell that is at most `margin` away from the body, and none
+  /// that is more than margin + slack away. The slack covers the rounding of coordinates of that magnitude. Throws
   /// InputError where there are too many.
   void add(const std::vector<std::vector<Polygon>>& parts, double margin, double slack);
 

@@ -111,13 +111,13 @@ class CellSweep {
     const double slack = 0x1p-46 * (size / options_.resolution + 2);
     const double margin = away / options_.resolution * (1 + 0x1p-40);
     if (!(margin + 2 * slack <= cell_excess)) too_fine(scene_.start);
-    std::vector<std::vector<Polygon>> posed;
+    std::vector<std::vector<Polygon>> placed;
     for (const Part& part : parts_) {
-      posed.emplace_back();
-      posed.back().push_back(in_cells(part.outline, pose));
-      for (const Polygon& hole : part.holes) posed.back().push_back(in_cells(hole, pose));
+      placed.emplace_back();
+      placed.back().push_back(in_cells(part.outline, pose));
+      for (const Polygon& hole : part.holes) placed.back().push_back(in_cells(hole, pose));
     }
-    raster_.add(posed, margin + slack, slack);
+    raster_.add(placed, margin + slack, slack);
   }
   Polygon in_cells(const Polygon& ring, const PoseInCells& p) const {
     Polygon out;

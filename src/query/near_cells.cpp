@@ -82,7 +82,7 @@ class CellsAtPose {
     });
   }
 
-  Vector posed(const Point& p) const {
+  Vector placed(const Point& p) const {
     return Vector{pose_.origin.x, pose_.origin.y} + Vector{pose_.axis.x, pose_.axis.y} * Vector{p.x, p.y};
   }
   std::size_t number_of(const CellAtPose& cell) const { return static_cast<std::size_t>(&cell - cells_.data()); }
@@ -98,7 +98,7 @@ class CellsAtPose {
     cell.thickness = thickness;
     cell.mark = mark;
     for (const Point& p : corners) {
-      const Vector at = posed(p);
+      const Vector at = placed(p);
       cell.corners.push_back(at);
       cell.box.include(AxisBox({at.x, at.y}, {at.x, at.y}, thickness));
     }
@@ -116,9 +116,9 @@ using ThreePoints = std::array<Vector, 3>;
 ThreePoints points_on(const CellsAtPose& cells, const CellAtPose& cell) {
   if (!cell.piece) return {cell.corners[0], (cell.corners[0] + cell.corners[1]) * Vector{0.5, 0}, cell.corners[1]};
   const curve::Piece& piece = *cell.piece;
-  const Vector first = cells.posed(piece.first().rounded()), last = cells.posed(piece.last().rounded());
+  const Vector first = cells.placed(piece.first().rounded()), last = cells.placed(piece.last().rounded());
   if (piece.is_line()) return {first, (first + last) * Vector{0.5, 0}, last};
-  return {first, cells.posed(curve::halves(piece)[0].last().rounded()), last};
+  return {first, cells.placed(curve::halves(piece)[0].last().rounded()), last};
 }
 
 /// The distance of p from the circle through three points, or from their line: for short pieces, from the curve.

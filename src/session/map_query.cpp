@@ -193,9 +193,9 @@ RobotFinding MapQuery::Impl::on_any_motion(std::span<const Motion> motions, doub
     mover.rings = search->links()[k].rings;
     mover.z = search->links()[k].z;
     mover.motions = chain_of(motions, k, start, end);
-    MapSearch among(*bodies, std::move(mover), start, end, offset);
-    if (among.start()) among.run();
-    for (const PairResult& r : among.results()) note(r, static_cast<int>(k), std::min(r.a, r.b), -1);
+    MapSearch standing(*bodies, std::move(mover), start, end, offset);
+    if (standing.start()) standing.run();
+    for (const PairResult& r : standing.results()) note(r, static_cast<int>(k), std::min(r.a, r.b), -1);
   }
   for (const auto& [p, q] : search->meeting()) {
     const auto a = static_cast<std::size_t>(p), b = static_cast<std::size_t>(q);

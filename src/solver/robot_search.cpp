@@ -145,12 +145,12 @@ bool RobotSearch::crosses(std::size_t link, const UniformSegment& segment, doubl
   spacetime::UniformStretch even = segment.stretch(t, t);
   const Stretch& instant = even.everywhere();
   if (!find_near(link, instant)) return false;
-  const spacetime::QAtPose posed = spacetime::QAtPose::of(instant);
+  const spacetime::QAtPose pose = spacetime::QAtPose::of(instant);
   crossed_ = 0;
-  if (others_.size() == 1 && around(states_[link], posed) == FreeCells::Cell::covered) return true;
+  if (others_.size() == 1 && around(states_[link], pose) == FreeCells::Cell::covered) return true;
   for (const spacetime::Other& other : others_) {
     const Hierarchy& mover = *states_[link].tree;
-    if (posed_.edges_cross(posed, *other.geometry, *other.tree, mover) == spacetime::EdgesCross::yes) return true;
+    if (posed_.edges_cross(pose, *other.geometry, *other.tree, mover) == spacetime::EdgesCross::yes) return true;
     ++crossed_;
   }
   return false;
@@ -177,14 +177,14 @@ RobotFinding RobotSearch::sampled(double from, double to) {
 
 /// The surroundings of the link, provided that its edges cross none of the map's: covered, if a vertex is certainly
 /// inside of a body; free, if each outline has a vertex in free space.
-FreeCells::Cell RobotSearch::around(const LinkState& link, const spacetime::QAtPose& posed) const {
+FreeCells::Cell RobotSearch::around(const LinkState& link, const spacetime::QAtPose& pose) const {
   constexpr double decided_by_cells = 0x1p-32;
-  if (!(posed.error < decided_by_cells)) return FreeCells::Cell::mixed;
+  if (!(pose.error < decided_by_cells)) return FreeCells::Cell::mixed;
   bool all_free = true;
   for (const std::vector<Vector>& outline : link.outlines) {
     bool one_free = false;
     for (const Vector v : outline) {
-      const Vector at = posed.at(v);
+      const Vector at = pose.at(v);
       const FreeCells::Cell cell = cells_.at(at.x, at.y);
       // Of which body is not known: it may be on another layer.
       if (cell == FreeCells::Cell::covered) return bodies_.layered ? FreeCells::Cell::mixed : cell;
@@ -202,8 +202,8 @@ std::optional<std::size_t> RobotSearch::overlapped(const UniformSegment& segment
                                                    const LinkState* with_map) {
   spacetime::UniformStretch even = segment.stretch(t, t);
   const Stretch& instant = even.everywhere();
-  const spacetime::QAtPose posed = spacetime::QAtPose::of(instant);
-  const FreeCells::Cell cell = with_map ? around(*with_map, posed) : FreeCells::Cell::mixed;
+  const spacetime::QAtPose pose = spacetime::QAtPose::of(instant);
+  const FreeCells::Cell cell = with_map ? around(*with_map, pose) : FreeCells::Cell::mixed;
   // A vertex inside of a body is an overlap, regardless of the edges. The body is known only if there is just one.
   if (cell == FreeCells::Cell::covered && others_.size() == 1) return 0;
   const bool within = cell != FreeCells::Cell::free;
@@ -211,7 +211,7 @@ std::optional<std::size_t> RobotSearch::overlapped(const UniformSegment& segment
   if (with_map) cells_.outlines_in(box_, inside_);
   for (std::size_t i = 0; i < others_.size(); ++i) {
     const spacetime::Other& other = others_[i];
-    const spacetime::EdgesCross cross = posed_.edges_cross(posed, *other.geometry, *other.tree, mover);
+    const spacetime::EdgesCross cross = posed_.edges_cross(pose, *other.geometry, *other.tree, mover);
     if (cross == spacetime::EdgesCross::yes) return i;
     const bool holds = with_map && std::binary_search(inside_.begin(), inside_.end(), near_[i]);
     if (cross == spacetime::EdgesCross::no && !within && !holds) continue;

@@ -74,7 +74,7 @@ class RobotSearch {
                                         const LinkState* with_map);
   bool crosses(std::size_t link, const spacetime::UniformSegment& segment, double t);
   RobotFinding sampled(double from, double to);
-  FreeCells::Cell around(const LinkState& link, const spacetime::QAtPose& posed) const;
+  FreeCells::Cell around(const LinkState& link, const spacetime::QAtPose& pose) const;
   void cover(std::size_t link, const spacetime::UniformSegment& segment, double from, double to, int depth,
              RobotFinding& best);
   void search(const spacetime::UniformSegment& segment, const Hierarchy& mover, Names names, double from, double to,
