@@ -105,7 +105,7 @@ Intervals intervals_of_polygons(const Scene& scene, const CheckOptions& options,
     report_parts("pairs", searched++, by_pair.size());
     search_pair(instance, sections, offset_for(options.touch), precisely, scope, answer);
   }
-  answer.coverage.not_reached = near.pairs().size() - answer.coverage.tested;
+  answer.coverage.not_reached = by_pair.size() - answer.coverage.tested;
   conclude(answer);
   return answer;
 }

@@ -54,11 +54,19 @@ class ConsistencyJudge {
   }
 
   void note(const std::string& who, const Answer& answer) {
+    require_counted(who, answer.coverage, answer.outcome != Outcome::undecided);
     if (answer.outcome == Outcome::undecided) return;
     if (!outcome_) outcome_ = answer.outcome;
     require(answer.outcome == *outcome_,
             fmt::format("{}: {}, others: {}", who, to_string(answer.outcome), to_string(*outcome_)));
     if (answer.contact) meet({who, answer.contact->time});
+  }
+
+  /// Each pair is counted once, and a decided answer reaches all of them.
+  void require_counted(const std::string& who, const Coverage& c, bool decided) {
+    require(c.pairs == c.tested + c.apart + c.untested() && (!decided || c.not_reached == 0),
+            fmt::format("{}: of {} pairs {} tested, {} apart, {} untested, {} of these not reached", who, c.pairs,
+                        c.tested, c.apart, c.untested(), c.not_reached));
   }
 
   /// Without any tolerance: each bracket holds the instant.
@@ -72,6 +80,7 @@ class ConsistencyJudge {
 
   void compare_intervals() {
     const Intervals all = intervals(scene_, options_);
+    require_counted("intervals", all.coverage, all.undecided.empty());
     if (!outcome_ || !all.undecided.empty()) return;
     require(all.intervals.empty() == (*outcome_ == Outcome::free),
             fmt::format("{} intervals, and {}", all.intervals.size(), to_string(*outcome_)));
@@ -91,6 +100,7 @@ class ConsistencyJudge {
     const std::string where = fmt::format("range from {}", t);
     try {
       const Range free = range(scene_, t, options_);
+      require_counted(where, free.coverage, free.outcome == Outcome::free);
       if (free.outcome != Outcome::free) return;
       require(!any([&](const OverlapInterval& o) { return o.from.hi < t && t < o.to.lo; }),
               where + ": within an interval");
@@ -119,6 +129,7 @@ class ConsistencyJudge {
 
   void compare_distances() {
     const Clearance least = clearance(scene_);
+    require_counted("clearance", least.coverage, least.reason.empty());
     if (!least.reason.empty() || !least.nearest) return;
     const double lo = least.nearest->lo, hi = least.nearest->hi;
     // Closures that have a distance do not touch; 0 as the lower end says that it is not known.
@@ -126,6 +137,7 @@ class ConsistencyJudge {
             fmt::format("clearance [{}, {}], and {}", lo, hi, to_string(*outcome_)));
     const double more = std::max(hi * 1.001, 1e-9), less = lo * 0.999;
     const MarginAnswer closer = check_clearance(scene_, more, options_);
+    require_counted("a larger clearance", closer.coverage, closer.outcome != Outcome::undecided);
     require(closer.outcome != Outcome::free, fmt::format("{} is kept, clearance [{}, {}]", more, lo, hi));
     // Who comes into contact comes closer than any clearance before, or just then.
     if (closer.outcome == Outcome::contact && !said_.empty())
