@@ -32,7 +32,8 @@ struct MapQueryOptions {
 
 /// Answers without names and text, for many of them.
 struct MapFinding {
-  /// `overlap_at_start` also where the robot, with closed touching, touches at the start.
+  /// `overlap_at_start` also where the robot, with closed touching, touches at the start. `untested` if no link shares
+  /// a layer with a body of the map, or with another link that it may meet.
   Outcome outcome = Outcome::free;
   /// Certainly no collision before this time; of MapQuery::passes(), which does not search for the first one, just some
   /// such time.
@@ -93,7 +94,7 @@ class MapQuery {
   /// The same for motions, as along() takes them.
   MapFinding passes(std::span<const Motion> motions, double start, double end);
 
-  /// Why the last answer was `undecided`.
+  /// Why the last answer was `undecided` or `untested`.
   const std::string& reason() const;
 
  private:

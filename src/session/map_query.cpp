@@ -9,6 +9,7 @@
 #include "numeric/budget.hpp"
 #include "numeric/errors.hpp"
 #include "numeric/undecided.hpp"
+#include "scene/untested.hpp"
 #include "scene/validate_scene.hpp"
 #include "session/free_poses.hpp"
 #include "session/static_map_parts.hpp"
@@ -44,9 +45,11 @@ struct MapQuery::Impl {
   std::vector<MotionPiece> own;  ///< of each link, scaled
   std::string reason;
   FreePoses known_free;
+  std::string untested;  ///< why no pair is ever tested; empty if some are
 
   Impl(const StaticMap& of, const std::vector<RobotLink>& links, const MapQueryOptions& how);
 
+  std::string why_nothing_meets() const;
   void line(std::size_t link, const PoseSE2& from, const PoseSE2& to);
   void lines(std::span<const PoseSE2> from, std::span<const PoseSE2> to);
   void expect(std::size_t count) const;
@@ -75,6 +78,18 @@ MapQuery::Impl::Impl(const StaticMap& of, const std::vector<RobotLink>& links, c
   if (links.empty()) throw InputError("robot", "there is no link", "give at least one");
   own.resize(links.size());
   search.emplace(*bodies, std::move(rings), offset_for(options.touch), options.links_meet);
+  untested = why_nothing_meets();
+}
+
+/// Links that share no layer with any body, or the other way round, collide with nothing, wherever they are.
+std::string MapQuery::Impl::why_nothing_meets() const {
+  const auto meets_some = [&](const RobotSearch::Link& link) {
+    return std::any_of(bodies->z.begin(), bodies->z.end(), [&](const Layers& z) { return z.meet(link.z); });
+  };
+  if (!search->meeting().empty() || std::any_of(search->links().begin(), search->links().end(), meets_some)) return {};
+  Coverage none;
+  none.pairs = none.layers = map.size() * movers.size();
+  return why_untested(none);
 }
 
 void MapQuery::Impl::line(std::size_t link, const PoseSE2& from, const PoseSE2& to) {
@@ -109,7 +124,8 @@ void MapQuery::Impl::lines(std::span<const PoseSE2> from, std::span<const PoseSE
 template <class Ask>
 MapFinding MapQuery::Impl::answered(double start, double end, const Ask& ask) {
   RobotFinding found;
-  reason.clear();
+  reason = untested;
+  if (!untested.empty()) return {Outcome::untested, start, end, -1, -1, -1};
   const std::string stopped = what_stops([&] {
     std::optional<Budget> scope;
     if (options.limits.stop || options.limits.max_seconds < 1e9) scope.emplace(options.limits);

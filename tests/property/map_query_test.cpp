@@ -317,6 +317,31 @@ TEST(MapQueries, RefuseWhatIsNoQuestion) {
   EXPECT_EQ(stopped.reason(), "interrupted");
 }
 
+/// Nothing is free of what it was not tested against.
+TEST(MapQueries, SayUntestedWhereNothingCanMeet) {
+  Body wall, robot, hand;
+  wall.name = "wall";
+  wall.polygon = robot.polygon = hand.polygon = {{0, 0}, {4, 0}, {4, 1}, {0, 1}};
+  wall.z = {0, 3};
+  robot.z = {3, 5};
+  hand.z = {2, 4};
+  const StaticMap map({wall});
+  MapQuery above(map, map.prepare(robot)), beside(map, map.prepare(hand));
+  MapQuery two(map, {{map.prepare(robot), -1}, {map.prepare(robot), -1}});
+  const PoseSE2 here, there{9, 0, 0};
+  const Motion rests;
+  for (int again = 0; again < 2; ++again) EXPECT_EQ(above.at(there).outcome, Outcome::untested);
+  EXPECT_EQ(above.along(here, there).outcome, Outcome::untested);
+  EXPECT_EQ(above.passes(here, there).outcome, Outcome::untested);
+  EXPECT_EQ(above.along(std::span(&rests, 1), 0, 1).outcome, Outcome::untested);
+  EXPECT_NE(above.reason().find("the only pair is on different layers"), std::string::npos) << above.reason();
+  EXPECT_EQ(beside.at(here).outcome, Outcome::overlap_at_start);
+  EXPECT_TRUE(beside.at(there).free());
+  // Links meet each other.
+  const std::vector<PoseSE2> apart{here, there};
+  EXPECT_TRUE(two.at(apart).free());
+}
+
 TEST(MapQueries, OneForEachThread) {
   Rng rng(5);
   const StaticMap map(obstacles(rng, 5), 2);
