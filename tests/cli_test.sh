@@ -291,6 +291,22 @@ expect 0 '>8: anvil x hammer<' '' range --from 1 --svg - hit.json
 expect 0 '>the start<' '' range --from 1 --svg - hit.json
 expect 2 '' 'from: anvil and hammer touch at that instant' range --from 8 --touch closed hit.json
 expect 2 '' 'from: anvil and hammer overlap at that instant' range --from 8.25 --touch closed hit.json
+# Bodies with parts on several layers are counted once, and features are named with their part and hole.
+echo '{"format":"taut-scene/1","time":[0,6],"bodies":[
+  {"name":"rack","parts":[{"outline":[[3,0],[4,0],[4,1],[3,1]],"z":[0,1]},
+                          {"outline":[[6,0],[9,0],[9,4],[6,4]],"holes":[[[7,0.5],[8,0.5],[8,3],[7,3]]],"z":[1,3]}]},
+  {"name":"cart","polygon":[[0,0],[1,0],[1,1],[0,1]],"z":[0,2],"motion":{"velocity":[1,0]}}]}' >rack.json
+expect 1 'enter: vertex 0 of part 1 of rack and edge 1-2 of cart' '' intervals rack.json
+expect 1 '"coverage":\{"pairs":1,"tested":1,"apart":0,.*"not_reached":0\}' '' intervals --json rack.json
+sed 's/"time":\[0,6\]/"time":[0,1]/' rack.json >rack_apart.json
+expect 0 'edge 3-0 of part 0 of rack' '' clearance rack_apart.json
+# What was not tested is in the second line, whatever else there is to say.
+echo '{"format":"taut-scene/1","time":[0,4],"bodies":[
+  {"name":"disc","polygon":{"path":"M1 0 A1 1 0 0 1 -1 0 A1 1 0 0 1 1 0 Z"}},
+  {"name":"roller","polygon":{"path":"M9 1 A2 2 0 0 1 5 1 A2 2 0 0 1 9 1 Z"},"motion":{"velocity":[-0.5,0.25],"spin_deg":20}},
+  {"name":"post","polygon":[[-1,0.5],[0,0.5],[0,3],[-1,3]]}]}' >rollers.json
+expect 0 'the greatest distance of curves' '' clearance --profile 3 rollers.json
+sed -n 2p out | grep -q 'NOT TESTED: 1 at rest' || { echo "FAILED: the second line of a profile"; failures=$((failures + 1)); }
 expect 1 'class="overlap".*' '' intervals --svg - hit.json
 expect 3 'class="undecided"' '' intervals --svg - --max-seconds 0 hit.json
 

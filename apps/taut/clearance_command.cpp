@@ -39,9 +39,6 @@ std::string nearest_line(const Scene& scene, const NearestPoints& n) {
   return fmt::format("{}  {}   at t = {}{}\n", time_text({n.lo, n.hi}), pair, instant_text(scene, n.time.lo), angle);
 }
 
-/// Of a polygon, or of a curve.
-const char* kind(const EdgeRef& edge) { return edge.parameter ? "segment" : "edge"; }
-
 std::string no_verdict(const Scene& scene, Outcome outcome, const std::string& reason, const Coverage& coverage) {
   const std::string subject = subject_text(scene, std::nullopt);
   if (outcome == Outcome::untested) return "UNTESTED  " + subject + "\n  " + reason + "\n";
@@ -54,10 +51,8 @@ std::string clearance_text(const Scene& scene, const Clearance& answer) {
   const NearestPoints& n = *answer.nearest;
   std::string text = "CLEARANCE  " + nearest_line(scene, n) + grounds_text(scene, answer.coverage);
   if (n.hi > 0)
-    text +=
-        fmt::format("  {} {} of {} at ({:.9g}, {:.9g}), {} {} of {} at ({:.9g}, {:.9g})\n", kind(n.edges[0]),
-                    n.edges[0].index, body_name(scene, n.edges[0].body), n.points[0].x, n.points[0].y, kind(n.edges[1]),
-                    n.edges[1].index, body_name(scene, n.edges[1].body), n.points[1].x, n.points[1].y);
+    text += fmt::format("  {} at ({:.9g}, {:.9g}), {} at ({:.9g}, {:.9g})\n", edge_text(scene, n.edges[0]),
+                        n.points[0].x, n.points[0].y, edge_text(scene, n.edges[1]), n.points[1].x, n.points[1].y);
   if (!answer.wide.empty()) text += "  " + answer.wide + '\n';
   for (const NearestPoints& pair : answer.pairs) text += "    " + nearest_line(scene, pair);
   return text;
@@ -66,8 +61,8 @@ std::string clearance_text(const Scene& scene, const Clearance& answer) {
 std::string curve_line(const Scene& scene, const DistanceCurve& c) {
   const std::string pair = c.pair ? body_name(scene, (*c.pair)[0]) + " x " + body_name(scene, (*c.pair)[1])
                                   : std::string("all pairs, the least");
-  return fmt::format("{}   greatest {} at t = {}{}\n", pair, time_text({c.largest_lo, c.largest_hi}),
-                     instant_text(scene, c.largest_at), c.wide.empty() ? "" : "\n  " + c.wide);
+  return fmt::format("{}   greatest {} at t = {}\n", pair, time_text({c.largest_lo, c.largest_hi}),
+                     instant_text(scene, c.largest_at));
 }
 
 std::string instants_text(const Scene& scene, const DistanceCurve& c) {
@@ -88,7 +83,7 @@ std::string profile_text(const Scene& scene, const DistanceProfile& answer) {
   std::string text;
   for (const DistanceCurve& c : answer.curves)
     text += "PROFILE  " + curve_line(scene, c) + (text.empty() ? grounds_text(scene, answer.coverage) : "") +
-            instants_text(scene, c);
+            (c.wide.empty() ? "" : "  " + c.wide + '\n') + instants_text(scene, c);
   return text;
 }
 

@@ -41,9 +41,8 @@ std::string degrees_at(const Scene& scene, const OverlapInterval& o, const TimeI
 }
 
 std::string meeting_text(const char* what, const Contact& c, const Scene& scene) {
-  return fmt::format("    {}: {} {} of {} and {} {} of {}{}\n", what, c.vertex.parameter ? "segment" : "vertex",
-                     c.vertex.index, body_called(scene, c.vertex.body), c.edge.parameter ? "segment" : "edge",
-                     c.edge.index, body_called(scene, c.edge.body), c.grazing ? ", grazing" : "");
+  return fmt::format("    {}: {} and {}{}\n", what, vertex_text(scene, c.vertex), edge_text(scene, c.edge),
+                     c.grazing ? ", grazing" : "");
 }
 
 std::string text_of_answer(const Scene& scene, const OverlapInterval& o) {
