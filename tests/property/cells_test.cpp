@@ -37,7 +37,7 @@ double cell_to_segment(double x, double y, const Complex& a, const Complex& b) {
 
 bool inside_part(const PartAtPose& part, const Complex& p) {
   bool inside = false;
-  for (const RingAtPose& ring : part) {
+  for (const RingAtPose& ring : part.rings) {
     for (std::size_t k = 0; k < ring.size(); ++k) {
       const Complex &a = ring[k], &b = ring[(k + 1) % ring.size()];
       if ((a.imag() > p.imag()) != (b.imag() > p.imag()) &&
@@ -54,7 +54,7 @@ double cell_to_body(const std::array<int, 2>& cell, const BodyAtPose& body) {
   double least = INFINITY;
   for (const PartAtPose& part : body) {
     if (inside_part(part, {x + 0.5, y + 0.5})) return 0;
-    for (const RingAtPose& ring : part) {
+    for (const RingAtPose& ring : part.rings) {
       for (std::size_t k = 0; k < ring.size(); ++k)
         least = std::min(least, cell_to_segment(x, y, ring[k], ring[(k + 1) % ring.size()]));
     }
@@ -65,7 +65,7 @@ double cell_to_body(const std::array<int, 2>& cell, const BodyAtPose& body) {
 BodyAtPose in_cells(const MadeWorld& world, int body, double t, double resolution, const Point& origin) {
   BodyAtPose posed = testing::posed(world, body, t);
   for (PartAtPose& part : posed) {
-    for (RingAtPose& ring : part) {
+    for (RingAtPose& ring : part.rings) {
       for (Complex& p : ring) p = (p - Complex(origin.x, origin.y)) / resolution;
     }
   }
@@ -76,7 +76,7 @@ BodyAtPose in_cells(const MadeWorld& world, int body, double t, double resolutio
 void add_touched(const BodyAtPose& body, CellSet& all) {
   for (const PartAtPose& part : body) {
     int i0 = 1 << 30, i1 = -i0, j0 = i0, j1 = -i0;
-    for (const Complex& p : part[0]) {
+    for (const Complex& p : part.rings[0]) {
       i0 = std::min(i0, static_cast<int>(std::floor(p.real())));
       i1 = std::max(i1, static_cast<int>(std::floor(p.real())));
       j0 = std::min(j0, static_cast<int>(std::floor(p.imag())));

@@ -178,7 +178,7 @@ TEST(SeparationLaws, SweptBoxesContainTheBodies) {
       const AxisBox box = swept_box(instance.bodies()[i], from, to);
       for (int k = 0; k <= 8; ++k) {
         for (const PartAtPose& part : posed(world, static_cast<int>(i), from + (to - from) * k / 8)) {
-          for (const Complex& p : part[0]) {
+          for (const Complex& p : part.rings[0]) {
             const double x = p.real() * scale, y = p.imag() * scale, rounding = 1e-12;
             ASSERT_TRUE(x >= box.lo_x - rounding && x <= box.hi_x + rounding);
             ASSERT_TRUE(y >= box.lo_y - rounding && y <= box.hi_y + rounding);
@@ -212,7 +212,7 @@ TEST(SeparationLaws, StatedBoxesContainTheBodies) {
       double right = -INFINITY;
       for (int k = 0; k <= 8; ++k) {
         for (const PartAtPose& part : posed(world, i, from + (to - from) * k / 8)) {
-          for (const Complex& p : part[0]) {
+          for (const Complex& p : part.rings[0]) {
             const double x = p.real() * scale, y = p.imag() * scale, rounding = 1e-12;
             ASSERT_TRUE(x >= box->lo_x - rounding && x <= box->hi_x + rounding);
             ASSERT_TRUE(y >= box->lo_y - rounding && y <= box->hi_y + rounding);

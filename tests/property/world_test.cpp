@@ -52,7 +52,7 @@ struct WorldCounts {
 };
 
 Complex vertex_at(const BodyAtPose& body, int part, int ring, int index) {
-  const RingAtPose& points = body[static_cast<std::size_t>(part)][static_cast<std::size_t>(ring)];
+  const RingAtPose& points = body[static_cast<std::size_t>(part)].rings[static_cast<std::size_t>(ring)];
   return points[static_cast<std::size_t>(index) % points.size()];
 }
 

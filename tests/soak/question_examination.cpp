@@ -20,6 +20,8 @@ namespace {
 /// A limit of time is no fault of an answer.
 struct TimeIsUp {};
 
+constexpr double share_of_covers = 0.3;
+
 class QuestionExamination {
  public:
   QuestionExamination(const SoakScene& s, std::uint64_t number, double max_seconds, Tally& tally)
@@ -43,8 +45,8 @@ class QuestionExamination {
         if (!wrong.empty()) return fmt::format("touch {}: {}", to_string(touch), wrong);
       }
     }
-    for (const auto ask :
-         {&QuestionExamination::nearest, &QuestionExamination::margins, &QuestionExamination::profile}) {
+    for (const auto ask : {&QuestionExamination::nearest, &QuestionExamination::margins, &QuestionExamination::profile,
+                           &QuestionExamination::below_a_cover}) {
       const std::string wrong = (this->*ask)();
       if (!wrong.empty()) return wrong;
     }
@@ -248,6 +250,32 @@ class QuestionExamination {
     const double room = 1e-6 * nearest_.hi + 1e-9 * size_;
     if (least > nearest_.hi || (nearest_.lo > 0 && least < nearest_.lo - room))
       return fmt::format("profile: at least {}, clearance within [{}, {}]", least, nearest_.lo, nearest_.hi);
+    return {};
+  }
+
+  /// What the first body has on another layer, over everything, changes no answer.
+  std::string below_a_cover() {
+    if (!rng_.chance(share_of_covers)) return {};
+    Scene covered = scene_;
+    Body& first = covered.bodies[0];
+    const double far = 8 * size_;
+    first.parts = {{first.polygon, {}}, {{{-far, -far}, {far, -far}, {far, far}, {-far, far}}, {}, Layers{3, 5}}};
+    first.polygon.clear();
+    for (Body& body : covered.bodies) body.z = {0, 3};
+    if (const std::string wrong = inconsistency(covered, options_.touch, max_seconds_); !wrong.empty())
+      return "below a cover: " + wrong;
+    const Answer answer = check(covered, options_);
+    if (answer.outcome == Outcome::undecided) return undecided("check below a cover", answer.reason);
+    if (answer.outcome != answer_.outcome || (answer.contact && !meet(answer.contact->time, answer_.contact->time)))
+      return fmt::format("below a cover: {}, not {}", to_string(answer.outcome), to_string(answer_.outcome));
+    ClearanceOptions how;
+    how.relative = 1e-6;
+    how.limits.max_seconds = max_seconds_;
+    const Clearance least = clearance(covered, how);
+    if (!least.reason.empty()) return undecided("clearance below a cover", least.reason);
+    if (least.nearest->lo > nearest_.hi || nearest_.lo > least.nearest->hi)
+      return fmt::format("below a cover: clearance within [{}, {}], not [{}, {}]", least.nearest->lo, least.nearest->hi,
+                         nearest_.lo, nearest_.hi);
     return {};
   }
 

@@ -34,7 +34,8 @@ Scene scene_of(const MadeWorld& world) {
   for (const MadeBody& made : world.bodies) {
     Body body;
     body.name = made.name;
-    if (made.parts.size() == 1 && made.parts[0].holes.empty())
+    body.z = made.z;
+    if (made.parts.size() == 1 && made.parts[0].holes.empty() && !made.parts[0].z)
       body.polygon = made.parts[0].outline;
     else
       body.parts = made.parts;
@@ -100,10 +101,11 @@ BodyAtPose posed(const MadeWorld& world, int body, double t) {
     return points;
   };
   BodyAtPose result;
-  for (const Part& part : world.bodies[static_cast<std::size_t>(body)].parts) {
-    PartAtPose rings{ring(part.outline)};
-    for (const Polygon& hole : part.holes) rings.push_back(ring(hole));
-    result.push_back(rings);
+  const MadeBody& made = world.bodies[static_cast<std::size_t>(body)];
+  for (const Part& part : made.parts) {
+    PartAtPose at_pose{{ring(part.outline)}, part.z.value_or(made.z)};
+    for (const Polygon& hole : part.holes) at_pose.rings.push_back(ring(hole));
+    result.push_back(at_pose);
   }
   return result;
 }
@@ -129,7 +131,7 @@ namespace {
 
 template <class Visit>
 void each_edge(const PartAtPose& part, Visit visit) {
-  for (const RingAtPose& ring : part) {
+  for (const RingAtPose& ring : part.rings) {
     for (std::size_t i = 0; i < ring.size(); ++i) visit(ring[i], ring[(i + 1) % ring.size()]);
   }
 }
@@ -151,7 +153,7 @@ bool lies_clearly_inside(const PartAtPose& part, const Complex& p, double margin
     for (std::size_t i = 0; i < ring.size(); ++i) turned += std::arg((ring[(i + 1) % ring.size()] - p) / (ring[i] - p));
     return std::fabs(turned) > 3;
   };
-  return winds(part[0]) && std::none_of(part.begin() + 1, part.end(), winds);
+  return winds(part.rings[0]) && std::none_of(part.rings.begin() + 1, part.rings.end(), winds);
 }
 
 /// Parts that have an edge crossed, or a vertex of the other one inside, overlap it.
@@ -162,7 +164,7 @@ bool parts_overlap_clearly(const PartAtPose& p, const PartAtPose& q, double marg
   });
   if (crossing) return true;
   const auto has_vertex_of = [&](const PartAtPose& outer, const PartAtPose& inner) {
-    return std::any_of(inner[0].begin(), inner[0].end(),
+    return std::any_of(inner.rings[0].begin(), inner.rings[0].end(),
                        [&](const Complex& v) { return lies_clearly_inside(outer, v, margin); });
   };
   return has_vertex_of(p, q) || has_vertex_of(q, p);
@@ -170,10 +172,17 @@ bool parts_overlap_clearly(const PartAtPose& p, const PartAtPose& q, double marg
 
 }  // namespace
 
+namespace {
+
+/// By definition, of two intervals of heights.
+bool share_layer(const PartAtPose& a, const PartAtPose& b) { return a.z.lo < b.z.hi && b.z.lo < a.z.hi; }
+
+}  // namespace
+
 bool overlap_clearly(const BodyAtPose& p, const BodyAtPose& q, double margin) {
   for (const PartAtPose& a : p) {
     for (const PartAtPose& b : q) {
-      if (parts_overlap_clearly(a, b, margin)) return true;
+      if (share_layer(a, b) && parts_overlap_clearly(a, b, margin)) return true;
     }
   }
   return false;
@@ -184,6 +193,7 @@ double between_rings(const BodyAtPose& p, const BodyAtPose& q) {
   const auto from_vertices = [&](const BodyAtPose& vertices, const BodyAtPose& edges) {
     for (const PartAtPose& part : vertices) {
       for (const PartAtPose& other : edges) {
+        if (!share_layer(part, other)) continue;
         each_edge(part, [&](const Complex& v, const Complex&) {
           each_edge(other, [&](const Complex& a, const Complex& b) { least = std::min(least, to_segment(v, a, b)); });
         });

@@ -23,6 +23,7 @@ struct MadeBody {
   std::vector<Keyframe> keyframes;  ///< empty: at rest
   Point pivot;
   int parent = -1;
+  Layers z = {};  ///< of the parts that have none of their own
 };
 
 using Transform = Point (*)(const Point&);
@@ -46,16 +47,18 @@ struct MadePose {
 MadePose pose_of(const MadeWorld& world, int body, double t);
 
 using RingAtPose = std::vector<Complex>;
-/// Outline, then holes.
-using PartAtPose = std::vector<RingAtPose>;
+struct PartAtPose {
+  std::vector<RingAtPose> rings;  ///< outline, then holes
+  Layers z;
+};
 using BodyAtPose = std::vector<PartAtPose>;
 BodyAtPose posed(const MadeWorld& world, int body, double t);
 
 /// How far a point is from a segment.
 double to_segment(const Complex& p, const Complex& a, const Complex& b);
-/// By more than rounding.
+/// By more than rounding, in parts that share a layer.
 bool overlap_clearly(const BodyAtPose& p, const BodyAtPose& q, double margin);
-/// Of the boundaries; not 0 where they cross.
+/// Of the boundaries of parts that share a layer; not 0 where they cross.
 double between_rings(const BodyAtPose& p, const BodyAtPose& q);
 
 /// A random multiple of 1/16.

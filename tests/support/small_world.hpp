@@ -2,6 +2,7 @@
 #pragma once
 
 #include "support/large_world.hpp"
+#include "support/layered.hpp"
 
 namespace taut::testing {
 
@@ -12,9 +13,11 @@ namespace taut::testing {
 /// turned by a quarter, doubled in size, or moved on, so that several pairs meet at one instant, or nearly.
 LargeWorld small_world(std::uint64_t number);
 
-/// What the soak looks at: one world in 64 is large.
+/// What the soak looks at: one world in 64 is large, and in one of three bodies and parts have layers.
 inline LargeWorld soak_world(std::uint64_t number) {
-  return number % 64 == 0 ? large_world(number) : small_world(number);
+  LargeWorld made = number % 64 == 0 ? large_world(number) : small_world(number);
+  if (number % 3 != 0) return made;
+  return {on_layers(std::move(made.world), number), made.family + " on layers"};
 }
 
 }  // namespace taut::testing

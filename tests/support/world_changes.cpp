@@ -45,7 +45,7 @@ std::vector<Part> cut_in_two(const Part& part, const Point& centre, std::size_t 
     for (std::size_t i = at + 1; i-- > 0;) first.push_back(hole[i]);
     for (std::size_t i = n + 1; i-- > at;) second.push_back(hole[i % n]);
   }
-  return {{first, {}}, {second, {}}};
+  return {{first, {}, part.z}, {second, {}, part.z}};
 }
 
 /// Upright, as written by the worlds on a grid.
@@ -53,10 +53,11 @@ bool is_bar(const Polygon& p) {
   return p.size() == 4 && p[0].y == p[1].y && p[1].x == p[2].x && p[2].y == p[3].y && p[3].x == p[0].x;
 }
 
-std::vector<Part> halves(const Polygon& p) {
+std::vector<Part> halves(const Part& part) {
+  const Polygon& p = part.outline;
   const double middle = p[0].x + (p[1].x - p[0].x) / 2;
-  return {{{p[0], {middle, p[0].y}, {middle, p[2].y}, p[3]}, {}},
-          {{{middle, p[0].y}, p[1], p[2], {middle, p[2].y}}, {}}};
+  return {{{p[0], {middle, p[0].y}, {middle, p[2].y}, p[3]}, {}, part.z},
+          {{{middle, p[0].y}, p[1], p[2], {middle, p[2].y}}, {}, part.z}};
 }
 
 }  // namespace
@@ -67,7 +68,7 @@ MadeWorld cut_at_seams(Rng& rng, const MadeWorld& world, int& count) {
     const Part whole = body.parts[0];
     if (body.parts.size() > 1) continue;
     if (is_bar(whole.outline) && whole.holes.empty()) {
-      body.parts = halves(whole.outline);
+      body.parts = halves(whole);
     } else if (is_bar(whole.outline)) {
       // A frame: its hole goes round as its outline does.
       body.parts = cut_in_two(whole, {}, 2);

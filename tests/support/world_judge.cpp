@@ -13,7 +13,7 @@ constexpr double clear_overlap = 1e-7;
 constexpr double close_enough = 1e-8;
 
 Complex corner_at(const BodyAtPose& body, int part, int ring, int index) {
-  const RingAtPose& points = body[static_cast<std::size_t>(part)][static_cast<std::size_t>(ring)];
+  const RingAtPose& points = body[static_cast<std::size_t>(part)].rings[static_cast<std::size_t>(ring)];
   return points[static_cast<std::size_t>(index) % points.size()];
 }
 
@@ -29,7 +29,7 @@ WorldJudge::WorldJudge(const MadeWorld& world, int samples) : world_(world), cou
 WorldJudge::Placed WorldJudge::placed(int body, double t) const {
   Placed p{posed(world_, body, t), INFINITY, -INFINITY, INFINITY, -INFINITY};
   for (const PartAtPose& part : p.rings) {
-    for (const Complex& z : part[0]) {
+    for (const Complex& z : part.rings[0]) {
       p.lo_x = std::min(p.lo_x, z.real());
       p.hi_x = std::max(p.hi_x, z.real());
       p.lo_y = std::min(p.lo_y, z.imag());
