@@ -51,11 +51,10 @@ inline constexpr int max_depth = 16;
 /// all times, parents included.
 enum class AtRest {
   /// Test them only if no two bodies, of those not ignored altogether, move relative to each other, as in a layout.
-  /// Otherwise leave them
-  /// out;
-  /// Coverage::at_rest and Coverage::moving_alike count them.
+  /// Otherwise leave them out; Coverage::at_rest and Coverage::moving_alike count them.
   skip,
-  test,  ///< test them at the start, which decides them for all times
+  test,   ///< test them at the start, which decides them for all times
+  never,  ///< leave them out, even if nothing moves: in a part of a longer motion's time, say. Files do not say this
 };
 
 /// Bodies and a closed time interval [start, end] (start <= end). The question is about every two bodies that are not

@@ -148,6 +148,7 @@ void add_bodies(Hasher& hash, const Scene& scene) {
     hash.count(static_cast<std::size_t>(b));
   }
   if (scene.at_rest == AtRest::test) hash.byte(1);
+  if (scene.at_rest == AtRest::never) hash.byte(2);
   add_layers(hash, scene);
 }
 

@@ -83,7 +83,7 @@ VerifierScene::VerifierScene(const Scene& scene)
   for (int i = 0; i < in_scene_; ++i) {
     if (!ignored_.has_all(i)) motions.insert((*this)[i].alike);
   }
-  tests_alike_ = motions.size() <= 1 || scene.at_rest == AtRest::test;
+  tests_alike_ = scene.at_rest == AtRest::test || (scene.at_rest == AtRest::skip && motions.size() <= 1);
 }
 
 void VerifierScene::add_bodies(const Scene& scene) {

@@ -7,6 +7,7 @@
 #include "query/bracket.hpp"
 #include "query/curved_questions.hpp"
 #include "scene/fitted_scene.hpp"
+#include "scene/instance.hpp"
 #include "solver/earliest.hpp"
 #include "solver/run.hpp"
 #include "taut/error.hpp"
@@ -57,11 +58,19 @@ class CurvedCheck {
     options.tell_touching = false;
     options.limits = run_.limits_left();
     Scene scene = run_.world().polygons(side);
-    scene.start = from;
-    scene.end = to;
+    take_time(scene, from, to);
     const Answer answer = check(scene, options);
     events_ += answer.events;
     return answer;
+  }
+
+  /// The same pairs are asked about in a part of the time, even if nothing moves in it.
+  void take_time(Scene& scene, double from, double to) {
+    if (from == scene.start && to == scene.end) return;
+    if (!at_rest_) at_rest_ = Instance(scene).at_rest();
+    scene.at_rest = *at_rest_;
+    scene.start = from;
+    scene.end = to;
   }
 
   /// Polygons around the bodies overlap at the beginning of the time.
@@ -158,7 +167,8 @@ class CurvedCheck {
 
   const CheckOptions& options_;
   CurvedRun run_;
-  double from_;  ///< nothing happens before this time
+  std::optional<AtRest> at_rest_;  ///< of parts of the time
+  double from_;                    ///< nothing happens before this time
   double wanted_ = 0;
   double last_ = 0;
   bool windows_ = true;

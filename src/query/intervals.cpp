@@ -124,11 +124,12 @@ Intervals intervals(const Scene& scene, const CheckOptions& options) {
 
 namespace {
 
-/// All intervals in a part of the scene's time.
-Intervals intervals_within(const Scene& scene, double start, double end, const CheckOptions& options) {
+/// All intervals in a part of the scene's time, of the pairs that are tested in the whole.
+Intervals intervals_within(const Scene& scene, double start, double end, AtRest at_rest, const CheckOptions& options) {
   Scene part = scene;
   part.start = start;
   part.end = end;
+  part.at_rest = at_rest;
   return intervals(part, options);
 }
 
@@ -165,8 +166,7 @@ std::optional<CurveGeometry> geometry_of_range(const std::optional<CurveGeometry
 }
 
 /// The coverage for the whole time: a pair may be at rest, and not be tested, on one side of the instant only.
-Coverage coverage_of_range(const Scene& scene, const Intervals& before, const Intervals& after) {
-  const Instance instance(has_curves(scene) ? CurvedWorld(scene).polygons(CurveSide::outer) : scene);
+Coverage coverage_of_range(const Instance& instance, const Intervals& before, const Intervals& after) {
   const std::uint64_t asked = instance.coverage(0).apart;
   const std::uint64_t not_reached = std::min(asked, std::max(before.coverage.not_reached, after.coverage.not_reached));
   Coverage coverage =
@@ -184,17 +184,20 @@ Range range(const Scene& scene, double t, const CheckOptions& options) {
   if (!(t >= scene.start && t <= scene.end))
     throw InputError("from", "the instant is outside of the scene's time", "choose one within");
   const auto began = std::chrono::steady_clock::now();
+  validate_curved_world(scene);
+  const Instance whole(has_curves(scene) ? CurvedWorld(scene).polygons(CurveSide::outer) : scene);
   Intervals before, after;
   // At the very end, the time before decides: a piece of a motion that begins there is none of the scene's.
-  if (t < scene.end || scene.start == scene.end) after = intervals_within(scene, t, scene.end, options);
+  if (t < scene.end || scene.start == scene.end)
+    after = intervals_within(scene, t, scene.end, whole.at_rest(), options);
   if (t > scene.start) {
     CheckOptions rest = options;
     rest.limits.max_seconds = time_left(rest.limits.max_seconds, began);
-    before = intervals_within(scene, scene.start, t, rest);
+    before = intervals_within(scene, scene.start, t, whole.at_rest(), rest);
   }
   Range range;
   range.geometry = geometry_of_range(before.geometry, after.geometry);
-  range.coverage = coverage_of_range(scene, before, after);
+  range.coverage = coverage_of_range(whole, before, after);
   if (range.coverage.is_empty()) {
     range.outcome = Outcome::untested;
     range.reason = why_untested(range.coverage);

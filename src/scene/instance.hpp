@@ -67,6 +67,8 @@ class Instance {
   bool asked(int a, int b) const;
   /// Are pairs of one group asked about? Nothing happens to them after the start.
   bool tests_groups() const { return tests_groups_; }
+  /// For a scene of a part of this time, in which more bodies may rest: the same pairs are asked about.
+  AtRest at_rest() const { return tests_groups_ ? AtRest::test : AtRest::never; }
   /// Of an answer for which engines have examined so many pairs of the scene: what is neither excluded nor examined is
   /// apart.
   Coverage coverage(std::uint64_t tested) const;

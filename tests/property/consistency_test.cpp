@@ -1,6 +1,9 @@
 // The answers of all questions about one scene say the same: brackets of one instant meet, without any tolerance, since
 // each holds the instant itself.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 #include "soak/soak_scene.hpp"
 #include "support/consistency.hpp"
@@ -8,6 +11,7 @@
 #include "support/made_world.hpp"
 #include "taut/error.hpp"
 #include "taut/intervals.hpp"
+#include "taut/outline.hpp"
 
 namespace taut::testing {
 namespace {
@@ -54,6 +58,39 @@ Scene square_that_goes(const Coefficients& x, double end) {
   scene.bodies[1].motion.pieces.push_back({});
   scene.bodies[1].motion.pieces[0].x = x;
   return scene;
+}
+
+/// Two bodies overlap at rest, and are not tested: a third one begins to move later. Parts of the time in which nothing
+/// moves are about the same pairs.
+TEST(Consistency, WhereNothingMovesForAWhile) {
+  Scene scene = square_that_goes({}, 10);
+  Body& mover = scene.bodies.emplace_back(scene.bodies[1]);
+  mover.name = "c";
+  for (Point& p : mover.polygon) p.x += 4;
+  mover.motion.pieces = {{}, {}};
+  mover.motion.pieces[0].until = 5;
+  mover.motion.pieces[1].x = {0, 0.5};
+  mover.motion.pieces[1].origin = 5;
+  scene.bodies[1].motion = {};
+  for (const double t : {2.0, 5.0, 7.0}) {
+    const Range found = range(scene, t);
+    EXPECT_EQ(found.outcome, Outcome::free) << t;
+    EXPECT_FALSE(found.from || found.to) << t;
+    EXPECT_EQ(found.coverage.at_rest, 1U);
+  }
+  expect_consistent(scene);
+  // Polygons around these discs overlap at the start.
+  const double turn = std::sqrt(0.5);
+  for (Body& body : scene.bodies) {
+    const bool moves = body.name == "c";
+    const double x = moves ? 2.03 * turn : 0, y = x;
+    const auto at = [&](double side) { return fmt::format("{} {}", x + side, y); };
+    body.curves = parse_path("M" + at(1) + " A1 1 0 0 1 " + at(-1) + " A1 1 0 0 1 " + at(1) + " Z");
+    body.polygon.clear();
+  }
+  const Answer answer = check(scene);
+  EXPECT_EQ(answer.outcome, Outcome::free);
+  EXPECT_EQ(answer.coverage.at_rest, 1U);
 }
 
 /// (t - 1)^n more, or less, than what touches: the instant is in every bracket, and the wide ones say why.
