@@ -6,6 +6,7 @@
 
 #include "report.hpp"
 #include "scene/curved_world.hpp"
+#include "scene/untested.hpp"
 #include "taut/motions.hpp"
 
 namespace taut::cli {
@@ -56,8 +57,7 @@ std::string ending_of(const Scene& scene, const Answer& answer) {
     case Outcome::free:
       break;
   }
-  const std::uint64_t left_out = answer.coverage.untested();
-  return left_out == 0 ? "free" : fmt::format("free; {} pair{} not tested", left_out, left_out == 1 ? "" : "s");
+  return "free" + untested_note(answer.coverage);
 }
 
 }  // namespace

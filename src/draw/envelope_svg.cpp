@@ -5,6 +5,7 @@
 #include <map>
 
 #include "draw/svg_plot.hpp"
+#include "scene/untested.hpp"
 #include "taut/error.hpp"
 #include "taut/io.hpp"
 
@@ -102,7 +103,8 @@ std::string envelope_svg(const Linkage& linkage, const Envelope& answer, int wid
     panel.v_hi = linkage.joints[1].hi;
   }
   std::string s =
-      io::chart_head(wide, above_plot + panel.height + 56, "Envelope: " + std::string(to_string(answer.outcome)));
+      io::chart_head(wide, above_plot + panel.height + 56,
+                     "Envelope: " + std::string(to_string(answer.outcome)) + untested_note(answer.coverage));
   s += envelope_legend(answer, 46) + cells_svg(panel, answer, strip) + panel.time_axis(across.name);
   if (!strip) {
     s += panel.value_axis();

@@ -7,6 +7,7 @@
 #include "draw/svg_canvas.hpp"
 #include "draw/svg_plot.hpp"
 #include "io/number_text.hpp"
+#include "scene/untested.hpp"
 #include "taut/intervals.hpp"
 #include "taut/motions.hpp"
 
@@ -116,12 +117,16 @@ std::string intervals_svg(const Scene& scene, const Intervals& answer, Touch tou
   const double high = lane_height * static_cast<double>(std::max<std::size_t>(lanes.size(), 1));
   const io::PlotPanel panel{left, chart_top, wide - left - 30, high, scene.start, scene.end, 0, 1};
   std::string s =
-      io::chart_head(wide, chart_top + high + 48, std::string("Overlaps over time, touch ") + to_string(touch));
+      io::chart_head(wide, chart_top + high + 48,
+                     std::string("Overlaps over time, touch ") + to_string(touch) + untested_note(answer.coverage));
   s += "<defs><pattern id=\"hatched\" width=\"7\" height=\"7\" patternUnits=\"userSpaceOnUse\">"
        "<path d=\"M0,7L7,0\" stroke=\"#5f6b76\"/></pattern></defs>\n";
   s += panel.time_axis("t");
   double y = chart_top + 8;
-  if (lanes.empty()) s += io::chart_text(left, y + 13, "no pair overlaps");
+  if (lanes.empty())
+    s += io::chart_text(
+        left, y + 13,
+        answer.outcome == Outcome::free ? "no tested pair overlaps" : io::no_verdict(answer.outcome, answer.reason));
   for (const auto& [pair, lane] : lanes) {
     s += lane_svg(scene, panel, pair, lane, y);
     y += lane_height;

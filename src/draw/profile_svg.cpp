@@ -7,6 +7,7 @@
 #include "draw/svg_canvas.hpp"
 #include "draw/svg_plot.hpp"
 #include "io/number_text.hpp"
+#include "scene/untested.hpp"
 #include "taut/clearance.hpp"
 
 namespace taut {
@@ -61,9 +62,8 @@ std::string panel_svg(const Scene& scene, const DistanceCurve& c, double top, do
 
 std::string profile_svg(const Scene& scene, const DistanceProfile& answer, int width) {
   const double wide = std::max(width, 320), rows = static_cast<double>(std::max<std::size_t>(answer.curves.size(), 1));
-  std::string s = io::chart_head(wide, 40 + panel_room * rows, "Distance over time");
-  if (answer.curves.empty())
-    s += io::chart_text(16, 60, answer.reason.empty() ? "no pair is asked about" : "undecided: " + answer.reason);
+  std::string s = io::chart_head(wide, 40 + panel_room * rows, "Distance over time" + untested_note(answer.coverage));
+  if (answer.curves.empty()) s += io::chart_text(16, 60, io::no_verdict(answer.outcome, answer.reason));
   for (std::size_t i = 0; i < answer.curves.size(); ++i)
     s += panel_svg(scene, answer.curves[i], 36 + panel_room * static_cast<double>(i), wide);
   return s + "</svg>\n";

@@ -3,6 +3,7 @@
 
 #include "draw/world_marks.hpp"
 #include "io/number_text.hpp"
+#include "scene/untested.hpp"
 #include "taut/clearance.hpp"
 #include "taut/io.hpp"
 #include "taut/separate.hpp"
@@ -28,7 +29,11 @@ DrawnRose rose_of(const BodyDirections& body) {
 std::string clearance_svg(const Scene& scene, const Clearance& answer, int width) {
   DrawOptions options;
   options.width = width;
-  if (!answer.nearest) return draw_svg(scene, scene.start, options);
+  const std::string note = untested_note(answer.coverage);
+  if (!answer.nearest) {
+    options.title = io::world_title(scene) + (answer.outcome == Outcome::undecided ? ": undecided" : "") + note;
+    return draw_svg(scene, scene.start, options);
+  }
   const NearestPoints& n = *answer.nearest;
   const std::string pair = io::pair_text(scene, n.pair[0], n.pair[1]);
   options.title = fmt::format("{}: the least distance, at t = {}", io::world_title(scene),
@@ -38,24 +43,28 @@ std::string clearance_svg(const Scene& scene, const Clearance& answer, int width
   } else {
     options.title += ", is 0: " + pair;
   }
+  options.title += note;
   return draw_svg(scene, n.time.lo, options);
 }
 
 std::string margin_svg(const Scene& scene, double clearance, const MarginAnswer& answer, int width) {
   DrawOptions options;
   options.width = width;
-  if (answer.outcome == Outcome::free)
-    options.title = fmt::format("{}: all keep {:.7g} on [{}, {}]", io::world_title(scene), clearance,
-                                io::instant_text(scene.start, scene.start, scene.end, 7),
-                                io::instant_text(scene.end, scene.start, scene.end, 7));
+  const std::string note = untested_note(answer.coverage);
   if (!answer.first || answer.first->outcome == Outcome::undecided) {
-    if (answer.outcome == Outcome::undecided) options.title = io::world_title(scene) + ": undecided";
+    options.title = io::world_title(scene);
+    if (answer.outcome == Outcome::undecided) options.title += ": undecided";
+    if (answer.outcome == Outcome::free)
+      options.title += fmt::format(": all keep {:.7g} on [{}, {}]", clearance,
+                                   io::instant_text(scene.start, scene.start, scene.end, 7),
+                                   io::instant_text(scene.end, scene.start, scene.end, 7));
+    options.title += note;
     return draw_svg(scene, scene.start, options);
   }
   const PairMargin& first = *answer.first;
   const double t = first.outcome == Outcome::contact ? first.time.lo : scene.start;
-  options.title = fmt::format("{}: closer than {:.7g} at t = {}", io::world_title(scene), clearance,
-                              io::instant_text(t, scene.start, scene.end, 10));
+  options.title = fmt::format("{}: closer than {:.7g} at t = {}{}", io::world_title(scene), clearance,
+                              io::instant_text(t, scene.start, scene.end, 10), note);
   const std::string pair = io::pair_text(scene, first.bodies[0], first.bodies[1]);
   if (first.nearest) {
     options.distances.push_back({first.nearest->points, fmt::format("{}: {:.7g}", pair, first.nearest->hi)});
@@ -68,7 +77,7 @@ std::string margin_svg(const Scene& scene, double clearance, const MarginAnswer&
 std::string separation_svg(const Scene& scene, const Separation& answer, int width) {
   DrawOptions options;
   options.width = width;
-  options.title = io::world_title(scene) + ": free directions";
+  options.title = io::world_title(scene) + ": free directions" + untested_note(answer.coverage);
   if (answer.overlap) options.overlaps.push_back(*answer.overlap);
   for (const BodyDirections& body : answer.bodies) options.roses.push_back(rose_of(body));
   return draw_svg(scene, scene.start, options);

@@ -7,6 +7,7 @@
 #include "draw/svg_plot.hpp"
 #include "draw/world_shapes.hpp"
 #include "io/number_text.hpp"
+#include "scene/untested.hpp"
 #include "taut/intervals.hpp"
 #include "taut/io.hpp"
 
@@ -47,10 +48,12 @@ std::string range_svg(const Scene& scene, double from, const Range& answer, int 
   const double wide = std::max(width, 320), high = range_bar + 44;
   const io::PlotPanel panel{30, range_top - 20, wide - 60, high, scene.start, scene.end, 0, 1};
   std::string s = io::chart_head(wide, range_top + high + 30,
-                                 "Without overlap around t = " + io::instant_text(from, scene.start, scene.end, 9));
+                                 "Without overlap around t = " + io::instant_text(from, scene.start, scene.end, 9) +
+                                     untested_note(answer.coverage));
   s += panel.time_axis("t");
-  s += answer.outcome == Outcome::free ? bar_of_range(scene, from, answer, panel)
-                                       : io::chart_text(30, range_top + 14, "undecided: " + answer.reason);
+  s += answer.outcome == Outcome::free
+           ? bar_of_range(scene, from, answer, panel)
+           : io::chart_text(30, range_top + 14, io::no_verdict(answer.outcome, answer.reason));
   return s + "</svg>\n";
 }
 

@@ -64,6 +64,10 @@ std::string PlotPanel::value_axis() const {
   return s + "</g>\n";
 }
 
+std::string no_verdict(Outcome outcome, const std::string& reason) {
+  return outcome == Outcome::untested ? reason : "undecided: " + reason;
+}
+
 std::string chart_head(double width, double height, const std::string& title) {
   return fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" role=\"img\" "

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "taut/check.hpp"
+
 namespace taut::internal::io {
 
 /// At most `count` + 1 round numbers (1, 2 or 5 times a power of ten apart) from lo to hi.
@@ -24,6 +26,8 @@ struct PlotPanel {
 /// The head of a chart of that size, with its title, on a white ground, and how its text is set.
 std::string chart_head(double width, double height, const std::string& title);
 std::string chart_text(double x, double y, const std::string& what, const char* anchor = "start");
+/// In place of what an answer does not say: "undecided: the time limit was reached", or why nothing was tested.
+std::string no_verdict(Outcome outcome, const std::string& reason);
 /// With two decimals, as short as it can be.
 std::string chart_number(double pixels);
 

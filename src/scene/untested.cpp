@@ -36,6 +36,12 @@ std::string why_untested(const Coverage& c) {
   return start + parts + R"(; take pairs out of "ignore", or test those at rest with "at_rest": "test")";
 }
 
+std::string untested_note(const Coverage& c) {
+  if (c.untested() == 0) return c.pairs == 0 ? "; nothing was tested" : "";
+  if (c.untested() == c.pairs) return "; nothing was tested";
+  return "; " + std::to_string(c.untested()) + (c.untested() == 1 ? " pair" : " pairs") + " not tested";
+}
+
 Coverage coverage_before_search(const Scene& scene) {
   validate_ignored(scene);
   Coverage coverage;

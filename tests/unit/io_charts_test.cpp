@@ -79,7 +79,30 @@ TEST(Charts, LanesOfOverlaps) {
   const double left = std::stod(axis[1]), width = std::stod(axis[2]);
   EXPECT_NEAR(std::stod(bar[1]), left + width / 2, 0.02);
   EXPECT_NEAR(std::stod(bar[2]), width / 4, 0.02);
-  EXPECT_NE(intervals_svg(scene, {}, Touch::open).find("no pair overlaps"), std::string::npos);
+  EXPECT_NE(intervals_svg(scene, {}, Touch::open).find("no tested pair overlaps"), std::string::npos);
+}
+
+/// Pictures claim no more than answers do: two bodies that overlap at rest are not tested, and a third one moves.
+TEST(Charts, SayWhatWasNotTested) {
+  Scene scene;
+  scene.end = 1;
+  const Polygon square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  scene.bodies = {{"a", square, {}}, {"b", square, {}}, {"c", {{5, 0}, {6, 0}, {6, 1}}, {}}};
+  scene.bodies[2].motion.pieces.push_back({});
+  scene.bodies[2].motion.pieces[0].x = {0, 1};
+  const auto pictures = [&] {
+    return std::vector<std::string>{intervals_svg(scene, intervals(scene), Touch::open),
+                                    range_svg(scene, 0.5, range(scene, 0.5)),
+                                    profile_svg(scene, distance_profile(scene)), clearance_svg(scene, clearance(scene)),
+                                    margin_svg(scene, 0.5, check_clearance(scene, 0.5))};
+  };
+  for (const std::string& svg : pictures()) EXPECT_NE(svg.find("; 1 pair not tested"), std::string::npos) << svg;
+  scene.ignore = {{"c", "*"}, {"a", "b"}};
+  for (const std::string& svg : pictures()) {
+    EXPECT_NE(svg.find("; nothing was tested"), std::string::npos) << svg;
+    for (const char* const claim : {"no tested pair overlaps", "all keep", "undecided"})
+      EXPECT_EQ(svg.find(claim), std::string::npos) << svg;
+  }
 }
 
 DistanceProfile some_profile() {
