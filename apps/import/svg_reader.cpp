@@ -24,6 +24,11 @@ using namespace internal;
 
 namespace {
 
+Skipped styles_elsewhere(const std::string& place, const char* what) {
+  return lost_style(place, what, "takes styles from another file, which is not read",
+                    "put the styles into the drawing");
+}
+
 constexpr int deepest_clone = 16;
 constexpr std::size_t most_cloned = 1000000;
 /// Of what surrounds all layers.
@@ -339,6 +344,8 @@ class SvgReader {
   /// What describes the drawing, or is of its program, is no part of it; other elements are reported.
   void pass_over(const XmlElement& element) {
     static const std::set<std::string> described{"title", "desc", "metadata"};
+    const std::string* relation = element.name.ends_with("link") ? element.find("rel") : nullptr;
+    if (relation && *relation == "stylesheet") return drawing_.skip(styles_elsewhere(element.place, "<link>"));
     if (described.count(element.name) || element.name.find(':') != std::string::npos) return;
     if (element.name == "style" || element.name == "script" || is_paint(element.name)) return;
     if (element.name == "text") return unread(element, "is text: turn it into paths if it is to be part of a body");
@@ -380,9 +387,7 @@ Drawing read_svg(const std::string& text, const std::string& file, const ImportS
   };
   Drawing drawing = read(false);
   if (drawing.diagonal() == 0) drawing = read(true);
-  if (text.find("<?xml-stylesheet") != std::string::npos)
-    drawing.skip(lost_style(file, "<?xml-stylesheet?>", "takes styles from another file, which is not read",
-                            "put the styles into the drawing"));
+  if (text.find("<?xml-stylesheet") != std::string::npos) drawing.skip(styles_elsewhere(file, "<?xml-stylesheet?>"));
   return drawing;
 }
 

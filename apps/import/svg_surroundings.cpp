@@ -34,9 +34,20 @@ Surroundings SurroundingsReader::inside(std::size_t node, Surroundings s, bool g
   return s;
 }
 
+/// A gradient or pattern that is not in the file leaves the colour that is written behind it, or nothing.
+std::string SurroundingsReader::paint_of(const ElementStyle& style, const char* name) const {
+  const std::string word = style.word(name);
+  const std::size_t close = word.find(')');
+  if (!word.starts_with("url(") || close == std::string::npos) return word;
+  const std::string id = id_in_url(style.text(name).substr(0, close + 1));
+  if (id.empty() || xml_.by_id(id)) return word;
+  const std::string behind = trimmed_text(word.substr(close + 1));
+  return behind.empty() ? "none" : behind;
+}
+
 /// Whether fillings and lines are to be seen.
-void SurroundingsReader::paint(const ElementStyle& style, Surroundings& s) {
-  const std::string fill = style.word("fill"), stroke = style.word("stroke");
+void SurroundingsReader::paint(const ElementStyle& style, Surroundings& s) const {
+  const std::string fill = paint_of(style, "fill"), stroke = paint_of(style, "stroke");
   if (!fill.empty()) s.filled = !is_see_through(fill);
   if (!stroke.empty()) s.stroked = !is_see_through(stroke);
   for (const char* paint : {"fill", "stroke"})

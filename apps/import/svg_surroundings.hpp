@@ -44,7 +44,8 @@ class SurroundingsReader {
   Surroundings inside(std::size_t node, Surroundings around, bool group, const XmlElement* named = nullptr);
 
  private:
-  static void paint(const ElementStyle& style, Surroundings& s);
+  std::string paint_of(const ElementStyle& style, const char* name) const;
+  void paint(const ElementStyle& style, Surroundings& s) const;
   void tell_what_is_not_read(const XmlElement& element, const ElementStyle& style);
   Affine placement(std::size_t node, const ElementStyle& style, const Viewport& viewport);
   void clip(const XmlElement& element, const ElementStyle& style, Surroundings& s);

@@ -65,11 +65,15 @@ TEST(ImportSvgClip, NamesWhatMovesShapesAndIsNotRead) {
   const Import sheet = examine("<?xml-stylesheet href='a.css'?><svg><rect" + end + "</svg>", "d.svg");
   ASSERT_EQ(sheet.faults.size(), 1u);
   EXPECT_NE(std::string(sheet.faults[0].what()).find("xml-stylesheet"), std::string::npos);
+  for (const char* name : {"link", "html:link"})
+    EXPECT_NE(refused("<" + std::string(name) + " rel='stylesheet' href='a.css'/><rect" + end).find("another file"),
+              std::string::npos);
 }
 
 TEST(ImportSvgClip, TakesColoursWithoutCoverForNone) {
-  for (const char* clear :
-       {"rgb(0 0 0 / 0%)", "rgba(0,0,0,0)", "hsl(120deg 10% 10% / 0)", "color(srgb 1 0 0 / 0.0)", "rgb(1,2,3,0)"})
+  // The last two name what is not in the file.
+  for (const char* clear : {"rgb(0 0 0 / 0%)", "rgba(0,0,0,0)", "hsl(120deg 10% 10% / 0)", "color(srgb 1 0 0 / 0.0)",
+                            "rgb(1,2,3,0)", "url(#nowhere)", "url(#nowhere) none"})
     EXPECT_EQ(
         totals_of(examine(std::string("<svg><rect width='9' height='9'/><rect x='20' width='9' height='9' fill='") +
                               clear + "'/></svg>",
@@ -77,11 +81,15 @@ TEST(ImportSvgClip, TakesColoursWithoutCoverForNone) {
             .parts,
         1u)
         << clear;
-  for (const char* solid : {"rgb(0 0 0 / 10%)", "rgb(0,0,0)", "rgb(10 20 0)", "url(#a/0)", "hsl(0,0,0)"})
+  for (const char* solid : {"rgb(0 0 0 / 10%)", "rgb(0,0,0)", "rgb(10 20 0)", "url(#a/0)", "url(#a/0) none",
+                            "url(#nowhere) red", "hsl(0,0,0)"})
     EXPECT_EQ(
-        totals_of(examine(std::string("<svg><rect width='9' height='9'/><rect x='20' width='9' height='9' fill='") +
-                              solid + "'/></svg>",
-                          "d.svg"))
+        totals_of(
+            examine(
+                std::string(
+                    "<svg><pattern id='a/0'/><rect width='9' height='9'/><rect x='20' width='9' height='9' fill='") +
+                    solid + "'/></svg>",
+                "d.svg"))
             .parts,
         2u)
         << solid;
