@@ -401,6 +401,8 @@ double BodyMaker::overlap_at_level(const std::string& name, const std::vector<co
        "contours drawn as lines lie in filled shapes", "if it is one, draw the shape around it as a line, too");
   note(overlaps.filled_in_lines, "filled shape lies in a contour drawn as a line",
        "filled shapes lie in contours drawn as lines", "if it is one, draw it as a line, too");
+  note(overlaps.filled_in_filled, "filled shape lies in another one", "filled shapes lie in others",
+       "if it is one, make one path of both, or draw both as lines");
   return overlaps.area;
 }
 

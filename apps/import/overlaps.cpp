@@ -48,20 +48,26 @@ Overlaps overlaps_of(const std::vector<SourcedPart>& parts, const OutlineSetting
     return overlaps;
   std::vector<AxisBox> boxes;
   for (const SourcedPart& part : parts) boxes.push_back(box_of(part.part->outline));
-  std::vector<bool> near(parts.size(), false), within(parts.size(), false);
+  std::vector<bool> near(parts.size(), false), within(parts.size(), false), in_lines(parts.size(), false);
   SegmentStrips(boxes).each_pair([&](std::size_t i, std::size_t j) {
     if (parts[i].source == parts[j].source) return;
     near[i] = near[j] = true;
-    if (parts[i].lines == parts[j].lines) return;
+    if (parts[i].lines && parts[j].lines) return;
     for (const auto& [inner, outer] : {std::pair(i, j), std::pair(j, i)})
       if (!within[inner] && boxes[outer].holds(boxes[inner]) &&
-          all_inside(parts[inner].part->outline, *parts[outer].part))
+          all_inside(parts[inner].part->outline, *parts[outer].part)) {
         within[inner] = true;
+        in_lines[inner] = parts[outer].lines;
+      }
   });
   std::vector<const Part*> chosen;
   for (std::size_t k = 0; k < parts.size(); ++k) {
     if (near[k]) chosen.push_back(parts[k].part);
-    if (within[k]) (parts[k].lines ? overlaps.lines_in_filled : overlaps.filled_in_lines).push_back(k);
+    if (!within[k]) continue;
+    (parts[k].lines ? overlaps.lines_in_filled
+     : in_lines[k]  ? overlaps.filled_in_lines
+                    : overlaps.filled_in_filled)
+        .push_back(k);
   }
   if (!chosen.empty()) overlaps.area = excess_of(chosen, settings);
   return overlaps;

@@ -19,8 +19,8 @@ struct SourcedPart {
 /// What overlapping parts have in common.
 struct Overlaps {
   double area = 0;  ///< by which the areas of the parts exceed that of their union
-  /// Indices of parts that lie in another one: drawn as lines in a filled one, and the other way round.
-  std::vector<std::size_t> lines_in_filled, filled_in_lines;
+  /// Indices of parts that lie in another one: drawn as lines in a filled one, the other way round, and both filled.
+  std::vector<std::size_t> lines_in_filled, filled_in_lines, filled_in_filled;
 };
 
 Overlaps overlaps_of(const std::vector<SourcedPart>& parts, const OutlineSettings& settings);

@@ -63,7 +63,10 @@ TEST(ImportOverlap, SaysHowLinesOnFilledShapesAreRead) {
   ASSERT_EQ(notes(rect + line + circle + "/>").size(), 1u);
   EXPECT_NE(notes(rect + line + circle + "/>")[0].find("1 filled shape lies in a contour drawn as a line"),
             std::string::npos);
-  EXPECT_TRUE(notes(rect + "/>" + circle + "/>").empty());
+  // A white disc on a black plate, say.
+  ASSERT_EQ(notes(rect + "/>" + circle + "/>").size(), 1u);
+  EXPECT_NE(notes(rect + "/>" + circle + "/>")[0].find("1 filled shape lies in another one"), std::string::npos);
+  EXPECT_TRUE(notes(rect + "/>" + rect + "/>").empty());
   EXPECT_TRUE(notes(rect + line + circle + line).empty());
   EXPECT_TRUE(notes(rect + "/><circle cx='20' cy='4' r='2' " + line).empty());
 }
