@@ -194,8 +194,8 @@ void BodyMaker::note_conflicts(const Drawing& drawing, const std::vector<LineLay
 
 /// A sheet's border makes holes of what is drawn on it, and bodies of their holes.
 void BodyMaker::note_border(const Drawing& drawing, const std::vector<Piece>& pieces) {
-  // Who names layers has chosen.
-  if (pieces.empty() || settings_.by == Grouping::nesting || !settings_.layers.empty()) return;
+  // Who names layers has chosen, and a board is no sheet.
+  if (pieces.empty() || !drawing.nests || settings_.by == Grouping::nesting || !settings_.layers.empty()) return;
   const Piece& largest = *std::max_element(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) {
     return doubled_area(a.region.part.outline) < doubled_area(b.region.part.outline);
   });

@@ -84,6 +84,9 @@ class GeoJsonReader {
 
  private:
   void read_object(std::size_t here, const std::string& path) {
+    if (path.empty() && find_member(document_, here, "format") > 0 && find_member(document_, here, "bodies") > 0)
+      throw document_.error(here, path, "the file is a scene of taut, and no GeoJSON",
+                            "ask about it as it is: taut check FILE");
     const std::size_t type = get_member(document_, here, path, "type", JsonKind::string);
     const std::string& name = document_.string_at(type);
     const std::string prefix = path.empty() ? "" : path + ".";

@@ -58,6 +58,16 @@ TEST(ImportKicad, CountsDrillsThatAreNoHoles) {
   EXPECT_TRUE(board_of(board_square).files[0].notes.empty());
 }
 
+/// A board encloses all courtyards, and is no border of a sheet.
+TEST(ImportKicad, ABoardWithAHoleIsNoSheet) {
+  const Import import = board_of(std::string(board_square) +
+                                 "(gr_circle (center 20 20) (end 23 20) (layer \"Edge.Cuts\"))"
+                                 "(footprint R (layer F.Cu) (at 8 8) (property Reference R1)"
+                                 " (fp_rect (start -2 -1) (end 2 1) (layer F.CrtYd)))");
+  EXPECT_EQ(import.bodies.size(), 2u);
+  EXPECT_TRUE(import.files[0].notes.empty()) << import.files[0].notes[0];
+}
+
 TEST(ImportKicad, MakesDrillsHoles) {
   const double mounting = kicad_pi * 1.6 * 1.6, slot = kicad_pi + 4, small = kicad_pi / 4, via = kicad_pi * 0.04;
   const Import wide = board_of(drilled, 2);

@@ -30,6 +30,16 @@ TEST(ImportKinds, RefusalsSayWhatToDo) {
   EXPECT_NE(hint_for("a.b/plate").find("ending of its format"), std::string::npos);
 }
 
+TEST(ImportKinds, AScenePassesForNoGeojson) {
+  const std::string scene = R"({"format": "taut-scene/1", "time": [0, 1], "bodies": []})";
+  try {
+    drawing::read_drawing(scene, "d.json", {});
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("a scene of taut"), std::string::npos) << error.what();
+  }
+}
+
 /// <svg xmlns="http://www.w3.org/2000/svg"><rect width="5" height="4"/></svg>
 const unsigned char zipped_drawing[] = {
     0x1f, 0x8b, 0x08, 0x00, 0x00, 0x00, 0x00, 0x00, 0x02, 0x03, 0xb3, 0x29, 0x2e, 0x4b, 0x57, 0xa8, 0xc8, 0xcd, 0xc9,
