@@ -13,8 +13,8 @@ namespace taut {
 
 /// Answers as check() does, and writes a proof log for `free` and `contact`, and for what an `undecided` run has
 /// proved; nothing useful for `overlap_at_start`. The time up to which an `undecided` answer is free, and the contact
-/// of another one, are those that verify() finds in the log. Where a limit stops the writing of a log of separations of
-/// two bodies without curves, the answer is `undecided`, and the log proves a part of the time.
+/// of another one, are those that verify() finds in the log. Where a limit stops the writing of a log of separations,
+/// the answer is `undecided`, and the log proves a part of the time, if it was long enough for one.
 ///
 /// By the kinetic engine (EngineChoice::kinetic, for two bodies of one polygon each), the log is of a tiling, written
 /// event by event, so that memory does not grow with it: docs/proof-format.md. With EngineChoice::both it is the same

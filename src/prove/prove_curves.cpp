@@ -1,6 +1,7 @@
 #include "prove/prove_separations.hpp"
 
 #include <functional>
+#include <optional>
 #include <sstream>
 #include <string>
 
@@ -35,9 +36,16 @@ proof::PolygonsOfBodies polygons_in(const Scene& scene, const Scene& flat) {
 struct Side {
   proof::PolygonsOfBodies polygons;
   std::string log;
+  std::string stopped;  ///< why the log proves a part of the time; empty if it proves the answer
 };
 
-/// Writes a log about polygons, and returns the reason of a failure.
+/// What was not proved, why, and up to when nothing happens by the log that there is.
+struct Unproved {
+  std::string reason;
+  double free_until;
+};
+
+/// Writes a log about polygons. Returns why it proves less than the answer, or why there is none.
 using ProvePolygons = std::function<std::string(const Scene& polygons, std::ostream& log)>;
 
 class CurvesProver {
@@ -48,16 +56,16 @@ class CurvesProver {
   /// The verifier's own test confirms the side of the polygons before anything is proved about them.
   Side side(CurveSide where) {
     const Scene flat = world_.polygons(where);
-    Side made{polygons_in(scene_, flat), {}};
+    Side made{polygons_in(scene_, flat), {}, {}};
     try {
       bodies_.require(made.polygons, where == CurveSide::outer ? Bodies::around : Bodies::within);
     } catch (const ProofError& error) {
       throw NotProved{error.what()};
     }
     std::ostringstream out;
-    const std::string trouble = prove_(flat, out);
+    made.stopped = prove_(flat, out);
     made.log = out.str();
-    if (!trouble.empty() || made.log.empty()) throw NotProved{trouble};
+    if (made.log.empty()) throw NotProved{made.stopped};
     return made;
   }
 
@@ -121,11 +129,11 @@ void state_as_proved(MarginAnswer& answer, const CurvesProver&, const MarginAnsw
   answer.first->free_until = answer.free_until = around.free_until;
 }
 
-/// Writes the log of an answer: polygons around the bodies and, if there is a contact, polygons within. Returns the
-/// reason if there is no log, else an empty string. The answer becomes what the log proves.
+/// Writes the log of an answer: polygons around the bodies and, if there is a contact, polygons within. The answer
+/// becomes what the log proves. If that is a part of the time, or nothing, it is returned.
 template <class AnyAnswer, class Prove>
-std::string prove_sides(const Scene& scene, const CurvedWorld& world, AnyAnswer& answer, Touch touch,
-                        const Prove& prove, std::ostream& log) {
+std::optional<Unproved> prove_sides(const Scene& scene, const CurvedWorld& world, AnyAnswer& answer, Touch touch,
+                                    const Prove& prove, std::ostream& log) {
   std::vector<AnyAnswer> proved;
   try {
     CurvesProver prover(scene, world, [&](const Scene& polygons, std::ostream& out) {
@@ -133,18 +141,23 @@ std::string prove_sides(const Scene& scene, const CurvedWorld& world, AnyAnswer&
       return proved.back().reason;
     });
     std::vector<Side> sides{prover.side(CurveSide::outer)};
+    if (!sides[0].stopped.empty()) {
+      write_curves_log(log, scene, touch, sides);
+      return Unproved{sides[0].stopped, proved[0].free_until};
+    }
     if (answer.outcome == Outcome::contact) sides.push_back(prover.side(CurveSide::inner));
+    if (!sides.back().stopped.empty()) throw NotProved{sides.back().stopped};
     if (answer.outcome == Outcome::undecided)
       answer.free_until = proved_until(world.polygons(CurveSide::outer), sides[0].log);
     if (answer.outcome == Outcome::contact) state_as_proved(answer, prover, proved[0], proved[1]);
     write_curves_log(log, scene, touch, sides);
-    return {};
+    return std::nullopt;
   } catch (const ProofError& error) {
-    return error.what();
+    return Unproved{error.what(), scene.start};
   } catch (const NotProved& trouble) {
-    return trouble.reason;
+    return Unproved{trouble.reason, scene.start};
   } catch (const Interrupted& limit) {
-    return limit.reason;
+    return Unproved{limit.reason, scene.start};
   }
 }
 
@@ -157,7 +170,10 @@ bool is_worth_a_log(const AnyAnswer& answer, const Scene& scene) {
 
 template <class AnyAnswer>
 std::string unfinished(const AnyAnswer& answer, const std::string& why) {
-  return std::string("the answer is ") + to_string(answer.outcome) + ", but its proof was not finished: " + why;
+  const std::string start = "the answer is ";
+  // That of polygons is the same.
+  if (why.starts_with(start)) return why;
+  return start + to_string(answer.outcome) + ", but its proof was not finished: " + why;
 }
 
 }  // namespace
@@ -168,16 +184,16 @@ Answer prove_curves(const Scene& scene, std::ostream& log, const CheckOptions& g
   CurvedContact found = first_contact_of_curves(scene, options);
   if (!is_worth_a_log(found.answer, scene)) return found.answer;
   options.tell_touching = false;
-  const std::string trouble = prove_sides(
+  const std::optional<Unproved> unproved = prove_sides(
       scene, found.world, found.answer, options.touch,
       [&](const Scene& flat, std::ostream& out) { return prove(flat, out, options); }, log);
-  if (trouble.empty()) return found.answer;
+  if (!unproved) return found.answer;
   Answer undecided;
   undecided.engine = found.answer.engine;
   undecided.coverage = found.answer.coverage;
   undecided.geometry = found.answer.geometry;
-  undecided.free_until = scene.start;
-  undecided.reason = unfinished(found.answer, trouble);
+  undecided.free_until = unproved->free_until;
+  undecided.reason = unfinished(found.answer, unproved->reason);
   return undecided;
 }
 
@@ -187,16 +203,16 @@ MarginAnswer prove_clearance_of_curves(const Scene& scene, double clearance, std
   options.all_pairs = false;
   CurvedMargin found = margin_of_curves(scene, clearance, options);
   if (!is_worth_a_log(found.answer, scene)) return found.answer;
-  const std::string trouble = prove_sides(
+  const std::optional<Unproved> unproved = prove_sides(
       scene, found.world, found.answer, options.touch,
       [&](const Scene& flat, std::ostream& out) { return prove_clearance(flat, clearance, out, options); }, log);
-  if (trouble.empty()) return found.answer;
+  if (!unproved) return found.answer;
   MarginAnswer undecided;
   undecided.outcome = Outcome::undecided;
   undecided.coverage = found.answer.coverage;
   undecided.geometry = found.answer.geometry;
-  undecided.free_until = scene.start;
-  undecided.reason = unfinished(found.answer, trouble);
+  undecided.free_until = unproved->free_until;
+  undecided.reason = unfinished(found.answer, unproved->reason);
   return undecided;
 }
 

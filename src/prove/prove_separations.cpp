@@ -109,15 +109,51 @@ double end_of_windows(const proof::VerifierScene& scene, double until) {
   return t;
 }
 
+/// Logs that take more work than this are preceded by shorter ones.
+constexpr std::uint64_t work_at_once = 200'000;
+
+/// `whole` writes a log about all of the time up to `until`, in which nothing meets. Logs of worlds are finished for no
+/// part of the time before they are finished for all of it. So if this one takes long, logs of a 64th and of a 16th
+/// of the time are written before; if a limit stops the whole one, the longest of these remains.
+template <class Write>
+SeparationsBody after_parts(const proof::VerifierScene& scene, Offset offset, double margin, double until,
+                            const Write& whole) {
+  // Those of two bodies are finished for more and more of the time.
+  if (scene.size() == 2) return whole();
+  try {
+    const Budget at_once(work_at_once);
+    return whole();
+  } catch (const Interrupted&) {
+    // An enclosing budget that is used up stops the next one, too.
+  }
+  std::optional<SeparationsBody> part;
+  try {
+    for (const double share : {1 / 64.0, 1 / 16.0}) {
+      const double end = end_of_windows(scene, scene.start() + share * (until - scene.start()));
+      if (end > scene.start()) part = SeparationsWriter(scene, offset, margin).free_until(end);
+    }
+    return whole();
+  } catch (const Undecidable& limit) {
+    if (!part) throw;
+    part->stopped = not_decided(limit);
+  } catch (const Interrupted& limit) {
+    if (!part) throw;
+    part->stopped = limit.reason;
+  }
+  return *part;
+}
+
 /// The proof that nothing happens up to the time in the answer; none for other answers.
 template <class AnyAnswer>
 std::optional<SeparationsBody> freedom(const AnyAnswer& answer, const proof::VerifierScene& proved, Offset offset,
                                        double margin) {
-  SeparationsWriter writer(proved, offset, margin);
-  if (answer.outcome == Outcome::free) return writer.free();
-  const double until = end_of_windows(proved, answer.free_until);
-  if (answer.outcome != Outcome::undecided || until <= proved.start()) return std::nullopt;
-  return writer.free_until(until);
+  const bool free = answer.outcome == Outcome::free;
+  const double until = free ? proved.end() : end_of_windows(proved, answer.free_until);
+  if (!free && (answer.outcome != Outcome::undecided || until <= proved.start())) return std::nullopt;
+  return after_parts(proved, offset, margin, until, [&] {
+    SeparationsWriter writer(proved, offset, margin);
+    return free ? writer.free() : writer.free_until(until);
+  });
 }
 
 /// The body of the log of an answer, without its header; none if there is nothing to prove.
@@ -131,7 +167,8 @@ std::optional<SeparationsBody> body_of_log(const Run& run, const proof::Verifier
   const std::vector<PairResult> results = run.search()->results();
   const PairResult* named = earliest(answer, *run.instance(), results);
   if (named->touching) return SeparationsWriter(proved, Offset::inward).touching(*named);
-  return SeparationsWriter(proved, offset).contact(*named, until);
+  return after_parts(proved, offset, 0, until,
+                     [&] { return SeparationsWriter(proved, offset).contact(*named, until); });
 }
 
 }  // namespace
@@ -173,7 +210,9 @@ std::optional<SeparationsBody> body_about_clearance(const Scene& scene, const Ma
   if (offset == Offset::outward && first.time.hi <= proved.start())
     return SeparationsWriter(proved, Offset::inward, margin).close_at_start(bodies, *first.features);
   const double until = end_of_windows(proved, answer.free_until);
-  return SeparationsWriter(proved, offset, margin).closer(bodies, *first.features, {until, first.time.hi});
+  return after_parts(proved, offset, margin, until, [&] {
+    return SeparationsWriter(proved, offset, margin).closer(bodies, *first.features, {until, first.time.hi});
+  });
 }
 
 }  // namespace

@@ -1,10 +1,11 @@
-// Proofs of two bodies that are stopped before their end prove what was written until then.
+// Proofs that are stopped before their end prove what was written until then: of two bodies, of worlds, and of curves.
 #include <gtest/gtest.h>
 
 #include <sstream>
 
 #include "taut/clearance.hpp"
 #include "taut/motions.hpp"
+#include "taut/outline.hpp"
 #include "taut/proof.hpp"
 
 namespace taut::testing {
@@ -66,6 +67,48 @@ TEST(UnfinishedProofs, AfterSeveralPieces) {
   const Answer answer = prove(scene, log, soon());
   expect_proved_in_part(scene, answer, log.str());
   EXPECT_GT(answer.free_until, 2);
+}
+
+/// A third body far away, which comes near the box at the end.
+Scene turns_of_three(double speed) {
+  Scene scene = many_turns(0.0625);
+  scene.bodies.push_back({"far", {{20, -1}, {24, -1}, {24, 1}, {20, 1}}, from_velocity({speed, 0})});
+  return scene;
+}
+
+/// Enough for the shortest of the parts, and not for the whole.
+CheckOptions later() {
+  CheckOptions options;
+  options.limits.max_seconds = 2;
+  return options;
+}
+
+TEST(UnfinishedProofs, OfWorlds) {
+  for (const double speed : {0.5, -2.25}) {
+    const Scene scene = turns_of_three(speed);
+    std::ostringstream log;
+    const Answer answer = prove(scene, log, later());
+    const char* const whole = speed > 0 ? "the answer is free" : "the answer is contact";
+    EXPECT_NE(answer.reason.find(whole), std::string::npos) << answer.reason;
+    expect_proved_in_part(scene, answer, log.str());
+  }
+}
+
+TEST(UnfinishedProofs, OfAClearanceInAWorld) {
+  const Scene scene = turns_of_three(0.5);
+  std::ostringstream log;
+  const MarginAnswer answer = prove_clearance(scene, 0.0625, log, later());
+  EXPECT_EQ(expect_proved_in_part(scene, answer, log.str()).clearance, 0.0625);
+}
+
+TEST(UnfinishedProofs, OfCurves) {
+  Scene scene = turns_of_three(0.5);
+  scene.bodies[1].polygon.clear();
+  scene.bodies[1].curves = parse_path("M4 0 A1 1 0 0 1 2 0 A1 1 0 0 1 4 0 Z");
+  std::ostringstream log;
+  const Answer answer = prove(scene, log, later());
+  EXPECT_EQ(answer.reason.rfind("the answer is free"), 0U) << answer.reason;
+  expect_proved_in_part(scene, answer, log.str());
 }
 
 }  // namespace
