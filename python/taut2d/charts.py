@@ -5,10 +5,12 @@ from __future__ import annotations
 import json
 from typing import TYPE_CHECKING, Any, Optional
 
+from ._verdict import untested_text
 from .errors import InputError
 from .pictures import _FILLS, _MARK, _new_axes
 
 if TYPE_CHECKING:
+    from .answers import Coverage
     from .questions import Clearance, DistanceProfile, Intervals
 
 _UNDECIDED = "#4a4a4a"
@@ -27,6 +29,11 @@ def _rows(axes: Any, labels: list[str]) -> None:
     """One row for each label, the first one at the top."""
     axes.set_yticks(list(range(len(labels))), labels)
     axes.set_ylim(max(len(labels), 1) - 0.5, -0.5)
+
+
+def _title(axes: Any, coverage: Coverage, text: str = "") -> None:
+    """Nobody shall take a chart to be about pairs that were not tested."""
+    axes.set_title("\n".join(line for line in (text, untested_text(coverage)) if line), fontsize="medium")
 
 
 def plot_intervals(answer: Intervals, axes: Any) -> Any:
@@ -49,8 +56,8 @@ def plot_intervals(answer: Intervals, axes: Any) -> Any:
     axes.set_xlabel("t")
     if rows:
         axes.legend(loc="best", fontsize="small")
-    else:
-        axes.set_title("no overlap")
+    nothing = "no overlap" if answer.coverage.untested == 0 else "no overlap of the tested pairs"
+    _title(axes, answer.coverage, "" if rows else nothing)
     return axes
 
 
@@ -70,6 +77,7 @@ def plot_profile(answer: DistanceProfile, axes: Any) -> Any:
     axes.set_ylabel("distance")
     axes.set_ylim(bottom=0)
     axes.legend(loc="best", fontsize="small")
+    _title(axes, answer.coverage)
     return axes
 
 
@@ -88,4 +96,5 @@ def plot_clearance(answer: Clearance, axes: Any) -> Any:
     axes.set_xlim(left=0)
     axes.set_xlabel("least distance")
     axes.legend(loc="best", fontsize="small")
+    _title(axes, answer.coverage)
     return axes

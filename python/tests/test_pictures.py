@@ -149,7 +149,15 @@ def test_a_chart_of_intervals():
     gears = taut2d.intervals(Scene.load(root / "examples" / "gears.json"), max_seconds=0).plot()
     assert labels(gears) == ["wheel x pinion"]
     assert [text.get_text() for text in gears.get_legend().get_texts()] == ["undecided"]
-    assert taut2d.intervals(THREE.with_motion("b", None)).plot().get_title() == "no overlap"
+    assert taut2d.intervals(THREE.with_motion("b", taut2d.Velocity((0, 2)))).plot().get_title() == "no overlap"
+
+
+def test_charts_say_what_was_not_tested():
+    two_at_rest = THREE.with_motion("b", None)
+    untested = "not tested: 1 of 3 pairs (1 at rest)"
+    assert taut2d.intervals(two_at_rest).plot().get_title() == f"no overlap of the tested pairs\n{untested}"
+    assert taut2d.distance_profile(two_at_rest, 3).plot().get_title() == untested
+    assert taut2d.clearance(two_at_rest).plot().get_title() == untested
 
 
 def test_a_chart_of_distances():
