@@ -362,5 +362,18 @@ TEST(Ompl, SpacesThatDoNotFit) {
             std::string::npos);
 }
 
+/// On a layer without any body no state would be valid, and no planner would say why.
+TEST(Ompl, RobotsThatCanMeetNothingAreRefused) {
+  Rng rng(1);
+  std::vector<Body> walls = star_obstacles(rng, 2);
+  for (Body& wall : walls) wall.z = {0, 1};
+  const StaticMap map(walls, 2);
+  Body robot = star_body(rng, "robot", 0.4);
+  robot.z = {0, 2};
+  EXPECT_NO_THROW(for_ompl::Robot(map, robot));
+  robot.z = {1, 2};
+  EXPECT_THROW(for_ompl::Robot(map, robot), InputError);
+}
+
 }  // namespace
 }  // namespace taut::testing

@@ -30,11 +30,15 @@ class Robot {
   /// One body. Throws InputError as StaticMap::prepare() does.
   Robot(StaticMap map, const Body& body, const MapQueryOptions& options = {})
       : Robot(std::move(map), std::vector<Link>{{body}}, options) {}
-  /// Links, each after its parent. Throws InputError as MapQuery does.
+  /// Links, each after its parent. Throws InputError as MapQuery does, and where no link shares a layer with anything
+  /// that it could meet: no state would be valid.
   Robot(StaticMap map, std::vector<Link> links, const MapQueryOptions& options = {})
       : map_(std::move(map)), links_(std::move(links)), options_(options) {
     for (const Link& link : links_) movers_.push_back({map_.prepare(link.shape), link.parent});
     idle_.push_back(std::make_unique<Asker>(map_, movers_, options_));
+    MapQuery& query = idle_.back()->query;
+    if (query.at(std::vector<PoseSE2>(links_.size())).outcome == Outcome::untested)
+      throw InputError(links_[0].shape.name, query.reason());
   }
 
   /// The map that was given.
