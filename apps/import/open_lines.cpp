@@ -205,6 +205,34 @@ double distance_to_segment(const Point& p, const Point& a, const Point& b) {
   return std::hypot(p.x - a.x - along * x, p.y - a.y - along * y);
 }
 
+namespace {
+
+/// Groups of which each has one free end, and these two are nearer to each other than to the other ends of their own
+/// group: a gap of an outline that other lines cross. `ends_of`: all ends of the lines of each group.
+std::vector<std::pair<std::size_t, std::size_t>> groups_across_gaps(
+    const FreeEnds& ends, const std::vector<std::size_t>& root_of_line,
+    const std::map<std::size_t, std::vector<Point>>& ends_of) {
+  std::map<std::size_t, std::vector<std::size_t>> free;
+  for (const std::size_t end : ends.all()) free[root_of_line[end / 2]].push_back(end);
+  const auto is_nearer = [&](std::size_t end, double gap) {
+    const std::vector<Point>& own = ends_of.at(root_of_line[end / 2]);
+    return std::all_of(own.begin(), own.end(),
+                       [&](const Point& p) { return p == ends.at(end) || span_between(p, ends.at(end)) > gap; });
+  };
+  std::vector<std::pair<std::size_t, std::size_t>> across;
+  for (const auto& [root, own] : free) {
+    const std::size_t partner = own.size() == 1 ? ends.partner(own[0]) : FreeEnds::none;
+    if (partner == FreeEnds::none) continue;
+    const std::size_t other = root_of_line[partner / 2];
+    const double gap = span_between(ends.at(own[0]), ends.at(partner));
+    if (root < other && free[other].size() == 1 && is_nearer(own[0], gap) && is_nearer(partner, gap))
+      across.emplace_back(root, other);
+  }
+  return across;
+}
+
+}  // namespace
+
 std::vector<Closure> closures_of_groups(const std::vector<OpenLine>& lines) {
   std::vector<std::size_t> group(lines.size());
   std::map<std::pair<double, double>, std::size_t> first;  // of the lines that have an end there
@@ -219,6 +247,15 @@ std::vector<Closure> closures_of_groups(const std::vector<OpenLine>& lines) {
       group[std::max(own, other)] = std::min(own, other);
     }
   }
+  std::vector<std::size_t> roots(lines.size());
+  std::map<std::size_t, std::vector<Point>> ends_of;
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    roots[k] = root(k);
+    for (const Point& end : {lines[k].points.front(), lines[k].points.back()}) ends_of[roots[k]].push_back(end);
+  }
+  FreeEnds paired(lines, false);
+  paired.pair();
+  for (const auto& [own, other] : groups_across_gaps(paired, roots, ends_of)) group[other] = own;
   std::map<std::size_t, Closure> closures;
   std::map<std::size_t, std::vector<Point>> free, all;  // ends
   for (std::size_t k = 0; k < lines.size(); ++k) {

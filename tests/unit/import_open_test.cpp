@@ -248,5 +248,27 @@ TEST(ImportOpen, AxesAroundAPartAreNamedWithARemedy) {
   expect_totals(examine(axes(), settings), 1200 - 9 * 3.14159265, 1, 1, 0.5);
 }
 
+/// Slots across the outline cut it into several lines. Its gap is between the two ends that meet nothing, and is closed
+/// there, not from one of them to a slot.
+TEST(ImportOpen, ClosesTheGapOfAnOutlineThatSlotsCross) {
+  const auto slotted = [](int slots) {
+    DxfText text = broken_outline();
+    for (int k = 0; k < slots; ++k) text.box({18, 3.0 + 8 * k}, {22, 5.0 + 8 * k});
+    return text;
+  };
+  for (const int slots : {1, 2}) {
+    SCOPED_TRACE(slots);
+    const Import open = examine(slotted(slots));
+    ASSERT_FALSE(open.faults.empty());
+    EXPECT_NE(open.faults[0].problem().find("a gap of 0.5 from (0"), std::string::npos) << open.faults[0].what();
+    ImportSettings settings;
+    settings.open = drawing::OpenRings::close;
+    settings.crossing = drawing::Crossing::subtract;
+    const Import closed = examine(slotted(slots), settings);
+    EXPECT_TRUE(closed.files[0].open.empty());
+    expect_totals(closed, 400 - 4 * slots - 16 * 3.14159265, 1, 1, 0.5);
+  }
+}
+
 }  // namespace
 }  // namespace taut
