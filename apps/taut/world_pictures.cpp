@@ -69,8 +69,7 @@ std::string world_picture(const Scene& scene, const Answer& answer, std::optiona
   return draw_svg(scene, t, t == end ? marked(answer, options) : options);
 }
 
-std::string world_animation(const Scene& scene, const Answer& answer, const DrawnTilings& how,
-                            AnimateOptions options) {
+std::string world_animation(const Scene& scene, const Answer& answer, const DrawnTilings& how, AnimateOptions options) {
   if (how.wanted && !has_curves(scene) && scene.bodies.size() <= most_bodies_with_moving_tilings)
     options.tilings = [&](double t) { return tilings_of_near_pairs(scene, t, how.touch); };
   options.draw = marked(answer, options.draw);

@@ -20,8 +20,7 @@ std::string world_picture(const Scene& scene, const Answer& answer, std::optiona
                           DrawOptions options);
 
 /// From the start to where the answer ends; where the file would get large, with fewer frames, or without tilings.
-std::string world_animation(const Scene& scene, const Answer& answer, const DrawnTilings& how,
-                            AnimateOptions options);
+std::string world_animation(const Scene& scene, const Answer& answer, const DrawnTilings& how, AnimateOptions options);
 
 /// The same with the answer of check(), for that touch mode.
 std::string world_animation(const Scene& scene, const DrawnTilings& how, AnimateOptions options = {});
