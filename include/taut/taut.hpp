@@ -24,6 +24,7 @@
 //   taut/clearance.hpp   how close do they come? do they keep a distance? how far apart are they over time?
 //   taut/intervals.hpp   when do they overlap? how far can they go from an instant, both ways?
 //   taut/separate.hpp    in which directions do bodies come apart, and in which order?
+//   taut/mechanism.hpp   bodies on pins and slides, also in closed loops; taut/mechanism_motion.hpp: how do they move?
 //   taut/envelope.hpp    for which combinations of joint values do bodies keep apart?
 //   taut/cells.hpp       which cells of a grid does a moving body touch?
 //   taut/proof.hpp       the answers with a proof, and the check of a proof
@@ -67,6 +68,7 @@
 #include "taut/io.hpp"
 #include "taut/limits.hpp"
 #include "taut/map_query.hpp"
+#include "taut/mechanism_motion.hpp"
 #include "taut/motion.hpp"
 #include "taut/motions.hpp"
 #include "taut/outline.hpp"

@@ -30,12 +30,13 @@ Errors are TautError; InputError, with place, problem and hint, is a ValueError 
 moments. Functions may be called from several threads, which then run at the same time.
 """
 
-from . import _taut2d, directions, linkages, margins, questions
+from . import _taut2d, directions, linkages, margins, mechanisms, questions
 from .answers import (Answer, Contact, Coverage, EdgeRef, Geometry, PairAnswer, Proof, ProvedCloseness, Verified,
                       VertexRef)
 from .asking import check, prove, verify
 from .cells import Cells, cells
 from .directions import *
+from .mechanisms import *
 from .drawings import Crossing, Drawing, DrawingBody, DrawingFile, Gap, OpenLine, Repair, Skipped, read_drawing
 from .errors import InputError, InternalError, TautError, UndecidedError
 from .flattening import flatten
@@ -69,6 +70,7 @@ __all__ = [
     "prove", "read_drawing", "sweep", "verify",
 ]
 __all__ += directions.__all__
+__all__ += mechanisms.__all__
 __all__ += linkages.__all__
 __all__ += margins.__all__
 __all__ += questions.__all__

@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, NoReturn, Optional
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, NoReturn, Optional
+
+from .words import LockKind
 
 if TYPE_CHECKING:
     from .answers import Coverage
@@ -18,12 +22,38 @@ class Undivided:
         raise TypeError(f"{type(self).__name__} is neither true nor false: write {self._instead}")
 
 
+@dataclass(frozen=True)
+class Lock:
+    """Where a mechanism cannot go on as it is driven. ``t``: an interval of time that contains the lock. ``kind``: "dead
+    point"; "change point", where it could go on in more than one way; or "undecided", where links come so near to a line
+    that it is not known. ``joints``: those that could move there while the driven ones are held; ``links``: the bodies
+    that move with them."""
+
+    t: tuple[float, float]
+    kind: LockKind
+    joints: tuple[str, ...]
+    links: tuple[str, ...]
+
+
+def lock_from(value: Any) -> Optional[Lock]:
+    if value is None:
+        return None
+    lo, hi = value["t"]
+    return Lock((float(lo), float(hi)), value["kind"], tuple(value["joints"]), tuple(value["links"]))
+
+
 class Verdict(Undivided):
     """An answer: str() gives it in at most three lines."""
 
     outcome: str
     reason: Optional[str]
     coverage: Coverage
+
+    @property
+    def lock(self) -> Optional[Lock]:
+        """Where the scene's mechanism locks, up to which the answer holds; None if it does not."""
+        text: Optional[str] = getattr(self, "json", None)
+        return lock_from(json.loads(text).get("lock")) if text and '"lock"' in text else None
 
     def _words(self) -> tuple[str, str]:
         """What is known, and about whom or when, in a line each, of an answer that was decided. The second may be

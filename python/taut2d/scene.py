@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any, Optional, Union
 
@@ -118,6 +118,8 @@ class Scene:
     ``at_rest``: what to do about pairs that do not move relative to each other, since both rest or both have the same
     motion: "test" them at the start; or "skip" them, unless nothing in the scene moves relative to anything else. Every
     answer counts what was skipped: see Coverage.
+    ``mechanism``: how bodies are joined, as the scene format has it: a dict with "ground", "joints", "drive" and "couple"
+    (docs/mechanisms.md). Joined bodies have no motion of their own.
     """
 
     bodies: Sequence[Body]
@@ -126,6 +128,7 @@ class Scene:
     id: Any = None
     folder: Union[str, os.PathLike[str]] = field(default=".", compare=False)
     at_rest: AtRest = "skip"
+    mechanism: Optional[Mapping[str, Any]] = None
 
     def __post_init__(self) -> None:
         if self.at_rest not in ("skip", "test"):
@@ -157,6 +160,8 @@ class Scene:
             object["ignore"] = [list(pair) for pair in self.ignore]
         if self.at_rest != "skip":
             object["at_rest"] = self.at_rest
+        if self.mechanism is not None:
+            object["mechanism"] = self.mechanism
         try:
             return json.dumps(object, separators=(",", ":"), ensure_ascii=False, allow_nan=False)
         except (TypeError, ValueError) as error:
@@ -187,7 +192,7 @@ class Scene:
         _taut2d.read(_scene_text(text, name, folder))
         object = json.loads(text)
         return cls([_body_from_json(body) for body in object["bodies"]], object["time"], object.get("ignore", ()),
-                   object.get("id"), folder, object.get("at_rest", "skip"))
+                   object.get("id"), folder, object.get("at_rest", "skip"), object.get("mechanism"))
 
     def save(self, path: Union[str, os.PathLike[str]]) -> None:
         """Writes to_json() and a line break into a file. Paths of files that bodies name stay as they are."""

@@ -22,8 +22,10 @@ Faults = Literal["raise", "report"]
 LengthUnit = Literal["mm", "cm", "m", "um", "in", "ft", "mil", "pt", "px"]
 
 # What answers give.
-OutcomeWord = Literal["free", "contact", "overlap_at_start", "undecided", "untested"]
-MarginOutcome = Literal["free", "contact", "overlap_at_start", "closer_at_start", "undecided", "untested"]
+OutcomeWord = Literal["free", "contact", "overlap_at_start", "undecided", "untested", "locked"]
+MarginOutcome = Literal["free", "contact", "overlap_at_start", "closer_at_start", "undecided", "untested", "locked"]
+LockKind = Literal["dead point", "change point", "undecided"]
+MechanismOutcome = Literal["moves", "locked", "undecided"]
 QuestionOutcome = Literal["free", "contact", "undecided", "untested"]
 RangeOutcome = Literal["free", "undecided", "untested"]
 SeparationOutcome = Literal["free", "locked", "overlap_at_start", "undecided", "untested"]

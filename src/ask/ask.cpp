@@ -15,7 +15,7 @@ const std::vector<QuestionEntry>& entries() {
   static const std::vector<QuestionEntry> all = [] {
     std::vector<QuestionEntry> joined;
     for (const auto& family : {contact_questions, distance_questions, overlap_questions, separate_questions,
-                               proof_questions, envelope_questions}) {
+                               mechanism_questions, proof_questions, envelope_questions}) {
       for (const QuestionEntry& entry : family()) joined.push_back(entry);
     }
     return joined;

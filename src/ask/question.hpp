@@ -109,6 +109,7 @@ std::vector<QuestionEntry> contact_questions();
 std::vector<QuestionEntry> distance_questions();
 std::vector<QuestionEntry> overlap_questions();
 std::vector<QuestionEntry> separate_questions();
+std::vector<QuestionEntry> mechanism_questions();
 std::vector<QuestionEntry> proof_questions();
 std::vector<QuestionEntry> envelope_questions();
 

@@ -25,6 +25,7 @@ class AnswerWriter : public JsonWriter {
   void reason(const std::string& why);
   /// The members with which every answer ends, before its scope: "geometry" of curves, and "coverage".
   void grounds(const std::optional<CurveGeometry>& geometry, const Coverage& coverage);
+  void lock(const MechanismLock& lock);
   /// Also the "lock" of the scene's mechanism, if there is one.
   void coverage(const Coverage& c);
   void geometry(const CurveGeometry& g);
@@ -56,8 +57,6 @@ class AnswerWriter : public JsonWriter {
   const Scene& scene() const { return scene_; }
 
  private:
-  void lock(const MechanismLock& lock);
-
   template <class Ref>
   void feature(const Ref& ref);
 

@@ -270,6 +270,7 @@ J joint_value(const JointFunctions& functions, std::size_t joint, std::size_t pi
 TAUT_INSTANTIATE(double)
 TAUT_FOR_EACH_PRECISION(TAUT_INSTANTIATE)
 #undef TAUT_INSTANTIATE
+template Series<double, 1> joint_value(const JointFunctions&, std::size_t, std::size_t, const Ball<double>&);
 template Series<double, 3> joint_value(const JointFunctions&, std::size_t, std::size_t, const Ball<double>&);
 
 }  // namespace taut::internal

@@ -122,8 +122,18 @@ export type Bracket = [number, number];
 /** The names of two bodies, in the order of the scene. */
 export type Pair = [string, string];
 export type Touch = "open" | "closed";
-/** "untested": no pair of bodies was tested, so there is no verdict. */
-export type Outcome = "free" | "contact" | "overlap_at_start" | "undecided" | "untested";
+/** "untested": no pair of bodies was tested, so there is no verdict. "locked": free up to where a mechanism locks. */
+export type Outcome = "free" | "contact" | "overlap_at_start" | "undecided" | "untested" | "locked";
+
+/** Where a mechanism cannot go on as it is driven. */
+export interface Lock {
+  /** An interval of time that contains the lock. */
+  t: [number, number];
+  kind: "dead point" | "change point" | "undecided";
+  /** Joints that could move there while the driven ones are held, and the bodies that move with them. */
+  joints: string[];
+  links: string[];
+}
 /** Of checkClearance(). */
 export type MarginOutcome = Outcome | "closer_at_start";
 
@@ -152,6 +162,8 @@ interface Verdict {
   /** How well curves were known, and the number of segments that stood for them. */
   geometry?: { tolerance: number; segments: number };
   coverage: Coverage;
+  /** Where the scene's mechanism locks, up to which the answer holds. */
+  lock?: Lock;
 }
 
 /** A vertex, or the edge from it to the next, by the indices of the scene. */
@@ -480,4 +492,41 @@ export class TautError extends Error {
   problem: string;
   /** What to do about it; may be empty. */
   hint: string;
+}
+
+/** An extreme of a function of time: in [lo, hi], and taken at t. */
+export interface Extreme {
+  lo: number;
+  hi: number;
+  t: number;
+}
+
+/** What a joint of a mechanism does; values are 0 in the drawn pose. */
+export interface JointRange {
+  joint: string;
+  bodies: [string, string];
+  unit: "degrees" | "length";
+  least: Extreme;
+  greatest: Extreme;
+}
+
+/** The angle at which two links meet at a pin, in degrees, at most 90. */
+export interface TransmissionAngle {
+  joint: string;
+  links: [string, string];
+  least: Extreme;
+  greatest: Extreme;
+}
+
+export interface MechanismAnswer {
+  outcome: "moves" | "locked" | "undecided";
+  reason?: string;
+  mobility: number;
+  loops: number;
+  joints: JointRange[];
+  transmission: TransmissionAngle[];
+  lock?: Lock;
+  /** All joints' values, each as [lo, hi], at the instants that were asked for. */
+  instants?: { t: number; values: [number, number][] }[];
+  scope: { time: [number, number] };
 }
