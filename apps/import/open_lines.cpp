@@ -1,6 +1,7 @@
 #include "import/open_lines.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <queue>
@@ -161,6 +162,17 @@ void find_nearest_ends(std::vector<OpenLine>& lines) {
   }
 }
 
+namespace {
+
+/// How many times farther away than these two ends are from each other the next free end is.
+double clearness_of(const std::vector<OpenLine>& lines, std::size_t end, std::size_t other) {
+  const auto at = [&](std::size_t e) { return e % 2 == 0 ? lines[e / 2].points.front() : lines[e / 2].points.back(); };
+  const auto next = [&](std::size_t e) { return e % 2 == 0 ? lines[e / 2].next_start : lines[e / 2].next_end; };
+  return std::min(next(end), next(other)) / span_between(at(end), at(other));
+}
+
+}  // namespace
+
 std::vector<Closure> find_closures(const std::vector<OpenLine>& lines, bool of_several) {
   FreeEnds ends(lines, of_several);
   ends.pair();
@@ -184,10 +196,7 @@ std::vector<Closure> find_closures(const std::vector<OpenLine>& lines, bool of_s
       closure.gaps.push_back({ends.at(exit), ends.at(next)});
       const double width = span_between(ends.at(exit), ends.at(next));
       closure.gap_length += width;
-      for (const std::size_t e : {exit, next}) {
-        const double other = e % 2 == 0 ? lines[e / 2].next_start : lines[e / 2].next_end;
-        closure.clearness = std::min(closure.clearness, other / width);
-      }
+      closure.clearness = std::min(closure.clearness, clearness_of(lines, exit, next));
       if (next == 2 * k) {
         closures.push_back(std::move(closure));
         break;
@@ -207,11 +216,11 @@ double distance_to_segment(const Point& p, const Point& a, const Point& b) {
 
 namespace {
 
-/// Groups of which each has one free end, and these two are nearer to each other than to the other ends of their own
+/// The only free ends of two groups of lines, if these two are nearer to each other than to the other ends of their own
 /// group: a gap of an outline that other lines cross. `ends_of`: all ends of the lines of each group.
-std::vector<std::pair<std::size_t, std::size_t>> groups_across_gaps(
-    const FreeEnds& ends, const std::vector<std::size_t>& root_of_line,
-    const std::map<std::size_t, std::vector<Point>>& ends_of) {
+std::vector<std::array<std::size_t, 2>> ends_across_gaps(const FreeEnds& ends,
+                                                         const std::vector<std::size_t>& root_of_line,
+                                                         const std::map<std::size_t, std::vector<Point>>& ends_of) {
   std::map<std::size_t, std::vector<std::size_t>> free;
   for (const std::size_t end : ends.all()) free[root_of_line[end / 2]].push_back(end);
   const auto is_nearer = [&](std::size_t end, double gap) {
@@ -219,14 +228,14 @@ std::vector<std::pair<std::size_t, std::size_t>> groups_across_gaps(
     return std::all_of(own.begin(), own.end(),
                        [&](const Point& p) { return p == ends.at(end) || span_between(p, ends.at(end)) > gap; });
   };
-  std::vector<std::pair<std::size_t, std::size_t>> across;
+  std::vector<std::array<std::size_t, 2>> across;
   for (const auto& [root, own] : free) {
     const std::size_t partner = own.size() == 1 ? ends.partner(own[0]) : FreeEnds::none;
     if (partner == FreeEnds::none) continue;
     const std::size_t other = root_of_line[partner / 2];
     const double gap = span_between(ends.at(own[0]), ends.at(partner));
     if (root < other && free[other].size() == 1 && is_nearer(own[0], gap) && is_nearer(partner, gap))
-      across.emplace_back(root, other);
+      across.push_back({own[0], partner});
   }
   return across;
 }
@@ -255,15 +264,22 @@ std::vector<Closure> closures_of_groups(const std::vector<OpenLine>& lines) {
   }
   FreeEnds paired(lines, false);
   paired.pair();
-  for (const auto& [own, other] : groups_across_gaps(paired, roots, ends_of)) group[other] = own;
   std::map<std::size_t, Closure> closures;
+  for (const auto& [end, other] : ends_across_gaps(paired, roots, ends_of)) {
+    group[roots[other / 2]] = roots[end / 2];
+    closures[roots[end / 2]].clearness = clearness_of(lines, end, other);
+  }
   std::map<std::size_t, std::vector<Point>> free, all;  // ends
   for (std::size_t k = 0; k < lines.size(); ++k) {
     const OpenLine& line = lines[k];
     Closure& closure = closures[root(k)];
     closure.lines.push_back(k);
     closure.line_length += line.length();
-    closure.ring.insert(closure.ring.end(), line.points.begin(), line.points.end());
+    // Of two lines the second one begins where the first one ends, at the gap between them.
+    std::vector<Point> points = line.points;
+    if (line.free_start && closure.ring.empty()) std::reverse(points.begin(), points.end());
+    if (line.free_end && !closure.ring.empty()) std::reverse(points.begin(), points.end());
+    closure.ring.insert(closure.ring.end(), points.begin(), points.end());
     if (line.free_start) free[root(k)].push_back(line.points.front());
     if (line.free_end) free[root(k)].push_back(line.points.back());
     for (const Point& end : {line.points.front(), line.points.back()}) all[root(k)].push_back(end);

@@ -45,7 +45,9 @@ void find_nearest_ends(std::vector<OpenLine>& lines);
 /// nearest ends are known.
 std::vector<Closure> find_closures(const std::vector<OpenLine>& lines, bool of_several = false);
 
-/// Lines that meet each other, as if straight lines between two of their ends closed them.
+/// Lines that meet each other, as if straight lines between two of their ends closed them. Two groups of them that have
+/// a free end each, the nearest ones, are one: other lines cross what they are parts of. Only of these `clearness` is
+/// known. The nearest ends are known.
 std::vector<Closure> closures_of_groups(const std::vector<OpenLine>& lines);
 
 /// Rounded.

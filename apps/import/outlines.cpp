@@ -170,16 +170,18 @@ class OutlineMaker {
 
   /// Lines outside of all that is closed, in whose hull something closed lies, or a part of it: however wide their gap
   /// is, they may be its outline. Several that do not meet may if each bends, they are longer than the gaps, and all of
-  /// it lies in the hull.
+  /// it lies in the hull. So may two that bend, and of which other lines cross the rest, whatever lies in them.
   void find_open_outlines(std::vector<Closure>& closures) const {
     if (!any_alive() || out_.open.empty()) return;
     ClosedPieces closed(graph_, alive_);
     std::vector<bool> used(out_.open.size(), false);
+    const auto on_material = [&](const Closure& closure) {
+      return std::any_of(closure.lines.begin(), closure.lines.end(),
+                         [&](std::size_t k) { return closed.surround(out_.open[k].points); });
+    };
     const auto examine = [&](Closure& closure, bool partly) {
       const auto piece = closed.in_hull(closure.ring, partly);
-      if (!piece || std::any_of(closure.lines.begin(), closure.lines.end(),
-                                [&](std::size_t k) { return closed.surround(out_.open[k].points); }))
-        return;
+      if (!piece || on_material(closure)) return;
       closure.encloses = piece->source;
       closure.partly = !piece->whole;
       for (const std::size_t k : closure.lines) used[k] = true;
@@ -193,7 +195,10 @@ class OutlineMaker {
                                     [this](std::size_t k) { return out_.open[k].is_straight(); })))
           continue;
         examine(closure, !several);
-        if (closure.encloses) closures.push_back(std::move(closure));
+        const bool across = !several && closure.clearness > 0 && !on_material(closure) &&
+                            std::any_of(closure.lines.begin(), closure.lines.end(),
+                                        [this](std::size_t k) { return !out_.open[k].is_straight(); });
+        if (closure.encloses || across) closures.push_back(std::move(closure));
       }
     };
     for (Closure& closure : closures)

@@ -248,6 +248,23 @@ TEST(ImportOpen, AxesAroundAPartAreNamedWithARemedy) {
   expect_totals(examine(axes(), settings), 1200 - 9 * 3.14159265, 1, 1, 0.5);
 }
 
+/// Nothing lies in an outline that a slot crosses, and its gap is short all the same.
+TEST(ImportOpen, RefusesAnOutlineThatASlotCrosses) {
+  DxfText text;
+  text.polyline({{0, 10.5}, {0, 20}, {20, 20}, {20, 0}, {0, 0}, {0, 10}}, false).box({18, 3}, {22, 5});
+  const Import import = examine(text);
+  ASSERT_EQ(import.faults.size(), 1u);
+  EXPECT_NE(import.faults[0].problem().find("a gap of 0.5 from (0"), std::string::npos) << import.faults[0].what();
+  ImportSettings settings;
+  settings.open = drawing::OpenRings::close;
+  settings.crossing = drawing::Crossing::subtract;
+  expect_totals(examine(text, settings), 396, 1, 0, 0.5);
+  // Two straight lines at a plate's side are no tab.
+  DxfText lines;
+  lines.box({0, 0}, {20, 20}).line({20, 8}, {25, 8}).line({20, 10}, {25, 10});
+  EXPECT_TRUE(examine(lines).faults.empty());
+}
+
 /// Slots across the outline cut it into several lines. Its gap is between the two ends that meet nothing, and is closed
 /// there, not from one of them to a slot.
 TEST(ImportOpen, ClosesTheGapOfAnOutlineThatSlotsCross) {
