@@ -216,63 +216,101 @@ double distance_to_segment(const Point& p, const Point& a, const Point& b) {
 
 namespace {
 
-/// The only free ends of two groups of lines, if these two are nearer to each other than to the other ends of their own
-/// group: a gap of an outline that other lines cross. `ends_of`: all ends of the lines of each group.
-std::vector<std::array<std::size_t, 2>> ends_across_gaps(const FreeEnds& ends,
-                                                         const std::vector<std::size_t>& root_of_line,
-                                                         const std::map<std::size_t, std::vector<Point>>& ends_of) {
-  std::map<std::size_t, std::vector<std::size_t>> free;
-  for (const std::size_t end : ends.all()) free[root_of_line[end / 2]].push_back(end);
+using EndPair = std::array<std::size_t, 2>;
+
+/// Pairs of free ends of different groups of lines, nearer to each other than to the other ends of their own groups.
+/// Kept are those that lead from a group with one free end, by groups with two, to another one with one: the gaps of an
+/// outline that other lines cross. `ends_of`: all ends of the lines of each group.
+std::vector<EndPair> ends_across_gaps(const FreeEnds& ends, const std::vector<std::size_t>& root_of_line,
+                                      const std::map<std::size_t, std::vector<Point>>& ends_of) {
+  const auto group = [&](std::size_t end) { return root_of_line[end / 2]; };
+  std::map<std::size_t, std::size_t> free, next;  // of groups: how many free ends, and another one that it goes on in
+  for (const std::size_t end : ends.all()) ++free[group(end)];
+  const auto last = [&next](std::size_t g) {
+    while (next.count(g) > 0) g = next[g];
+    return g;
+  };
   const auto is_nearer = [&](std::size_t end, double gap) {
-    const std::vector<Point>& own = ends_of.at(root_of_line[end / 2]);
+    const std::vector<Point>& own = ends_of.at(group(end));
     return std::all_of(own.begin(), own.end(),
                        [&](const Point& p) { return p == ends.at(end) || span_between(p, ends.at(end)) > gap; });
   };
-  std::vector<std::array<std::size_t, 2>> across;
-  for (const auto& [root, own] : free) {
-    const std::size_t partner = own.size() == 1 ? ends.partner(own[0]) : FreeEnds::none;
-    if (partner == FreeEnds::none) continue;
-    const std::size_t other = root_of_line[partner / 2];
-    const double gap = span_between(ends.at(own[0]), ends.at(partner));
-    if (root < other && free[other].size() == 1 && is_nearer(own[0], gap) && is_nearer(partner, gap))
-      across.push_back({own[0], partner});
+  std::vector<EndPair> across;
+  for (const std::size_t end : ends.all()) {
+    const std::size_t other = ends.partner(end);
+    if (other == FreeEnds::none || other < end || group(end) == group(other)) continue;
+    const double gap = span_between(ends.at(end), ends.at(other));
+    if (free[group(end)] > 2 || free[group(other)] > 2 || !is_nearer(end, gap) || !is_nearer(other, gap)) continue;
+    across.push_back({end, other});
+    const std::size_t a = last(group(end)), b = last(group(other));
+    if (a != b) next[std::max(a, b)] = std::min(a, b);
   }
+  std::map<std::size_t, int> outermost;
+  for (const auto& [g, count] : free) outermost[last(g)] += count == 1;
+  std::erase_if(across, [&](const EndPair& pair) { return outermost[last(group(pair[0]))] != 2; });
   return across;
+}
+
+/// Lines in groups, each called by its first line.
+class LineGroups {
+ public:
+  /// Lines that share an end are in one group.
+  explicit LineGroups(const std::vector<OpenLine>& lines) : group_(lines.size()) {
+    std::map<std::pair<double, double>, std::size_t> first;  // of the lines that have an end there
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+      group_[k] = k;
+      for (const Point& end : {lines[k].points.front(), lines[k].points.back()})
+        join(k, first.try_emplace({end.x, end.y}, k).first->second);
+    }
+  }
+
+  std::size_t of(std::size_t k) const {
+    while (group_[k] != k) k = group_[k];
+    return k;
+  }
+  void join(std::size_t k, std::size_t other) {
+    const std::size_t a = of(k), b = of(other);
+    group_[std::max(a, b)] = std::min(a, b);
+    group_[k] = group_[other] = std::min(a, b);
+  }
+
+ private:
+  std::vector<std::size_t> group_;
+};
+
+/// Joins groups across the gaps of outlines that other lines cross. What is known then of these gaps, by group.
+std::map<std::size_t, Closure> join_across_gaps(const std::vector<OpenLine>& lines, LineGroups& groups) {
+  std::vector<std::size_t> roots(lines.size());
+  std::map<std::size_t, std::vector<Point>> ends_of;
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    roots[k] = groups.of(k);
+    for (const Point& end : {lines[k].points.front(), lines[k].points.back()}) ends_of[roots[k]].push_back(end);
+  }
+  FreeEnds paired(lines, false);
+  paired.pair();
+  const std::vector<EndPair> across = ends_across_gaps(paired, roots, ends_of);
+  for (const auto& [end, other] : across) groups.join(end / 2, other / 2);
+  std::map<std::size_t, Closure> closures;
+  for (const auto& [end, other] : across) {
+    Closure& closure = closures[groups.of(end / 2)];
+    const double clearness = clearness_of(lines, end, other);
+    closure.clearness = closure.gaps.empty() ? clearness : std::min(closure.clearness, clearness);
+    closure.gaps.push_back({paired.at(end), paired.at(other)});
+    closure.gap_length += span_between(paired.at(end), paired.at(other));
+  }
+  return closures;
 }
 
 }  // namespace
 
 std::vector<Closure> closures_of_groups(const std::vector<OpenLine>& lines) {
-  std::vector<std::size_t> group(lines.size());
-  std::map<std::pair<double, double>, std::size_t> first;  // of the lines that have an end there
-  const auto root = [&group](std::size_t k) {
-    while (group[k] != k) k = group[k] = group[group[k]];
-    return k;
-  };
-  for (std::size_t k = 0; k < lines.size(); ++k) {
-    group[k] = k;
-    for (const Point& end : {lines[k].points.front(), lines[k].points.back()}) {
-      const std::size_t other = root(first.try_emplace({end.x, end.y}, k).first->second), own = root(k);
-      group[std::max(own, other)] = std::min(own, other);
-    }
-  }
-  std::vector<std::size_t> roots(lines.size());
-  std::map<std::size_t, std::vector<Point>> ends_of;
-  for (std::size_t k = 0; k < lines.size(); ++k) {
-    roots[k] = root(k);
-    for (const Point& end : {lines[k].points.front(), lines[k].points.back()}) ends_of[roots[k]].push_back(end);
-  }
-  FreeEnds paired(lines, false);
-  paired.pair();
-  std::map<std::size_t, Closure> closures;
-  for (const auto& [end, other] : ends_across_gaps(paired, roots, ends_of)) {
-    group[roots[other / 2]] = roots[end / 2];
-    closures[roots[end / 2]].clearness = clearness_of(lines, end, other);
-  }
+  LineGroups groups(lines);
+  std::map<std::size_t, Closure> closures = join_across_gaps(lines, groups);
   std::map<std::size_t, std::vector<Point>> free, all;  // ends
   for (std::size_t k = 0; k < lines.size(); ++k) {
     const OpenLine& line = lines[k];
-    Closure& closure = closures[root(k)];
+    const std::size_t group = groups.of(k);
+    Closure& closure = closures[group];
     closure.lines.push_back(k);
     closure.line_length += line.length();
     // Of two lines the second one begins where the first one ends, at the gap between them.
@@ -280,15 +318,17 @@ std::vector<Closure> closures_of_groups(const std::vector<OpenLine>& lines) {
     if (line.free_start && closure.ring.empty()) std::reverse(points.begin(), points.end());
     if (line.free_end && !closure.ring.empty()) std::reverse(points.begin(), points.end());
     closure.ring.insert(closure.ring.end(), points.begin(), points.end());
-    if (line.free_start) free[root(k)].push_back(line.points.front());
-    if (line.free_end) free[root(k)].push_back(line.points.back());
-    for (const Point& end : {line.points.front(), line.points.back()}) all[root(k)].push_back(end);
+    if (line.free_start) free[group].push_back(line.points.front());
+    if (line.free_end) free[group].push_back(line.points.back());
+    for (const Point& end : {line.points.front(), line.points.back()}) all[group].push_back(end);
   }
   std::vector<Closure> out;
   for (auto& [k, closure] : closures) {
     const std::vector<Point>& ends = free[k].size() > 1 ? free[k] : all[k];
-    closure.gaps.push_back({ends.front(), ends.back()});
-    closure.gap_length = span_between(ends.front(), ends.back());
+    if (closure.gaps.empty()) {
+      closure.gaps.push_back({ends.front(), ends.back()});
+      closure.gap_length = span_between(ends.front(), ends.back());
+    }
     out.push_back(std::move(closure));
   }
   return out;

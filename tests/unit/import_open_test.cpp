@@ -259,6 +259,12 @@ TEST(ImportOpen, RefusesAnOutlineThatASlotCrosses) {
   settings.open = drawing::OpenRings::close;
   settings.crossing = drawing::Crossing::subtract;
   expect_totals(examine(text, settings), 396, 1, 0, 0.5);
+  // Another gap between the two.
+  DxfText twice;
+  twice.polyline({{0, 10.5}, {0, 20}, {20, 20}, {20, 0}, {12, 0}}, false);
+  twice.polyline({{11.75, 0}, {0, 0}, {0, 10}}, false).box({18, 3}, {22, 5});
+  ASSERT_EQ(examine(twice).faults.size(), 1u);
+  expect_totals(examine(twice, settings), 396, 1, 0, 0.5);
   // Two straight lines at a plate's side are no tab.
   DxfText lines;
   lines.box({0, 0}, {20, 20}).line({20, 8}, {25, 8}).line({20, 10}, {25, 10});
