@@ -6,12 +6,8 @@
 # Each is a library of its own, so that what uses a layer it does not name does not link. With CMAKE_UNITY_BUILD the
 # compiler sees one file of the layers of each kind instead, and tests/layers_test.py sees to what they include: each
 # header is read three times instead of some twenty times, and each template compiled so often. Two processors take about
-# as long for BASIC as for ENGINE, and as for COLD. (Not for the browser: a linker takes whole files, and a page is to be
-# small.)
-set(taut_few_files OFF)
-if(CMAKE_UNITY_BUILD AND NOT EMSCRIPTEN)
-  set(taut_few_files ON)
-endif()
+# as long for BASIC as for ENGINE, and as for COLD. In WebAssembly a linker takes single functions: a page is no larger.
+set(taut_few_files ${CMAKE_UNITY_BUILD})
 set(taut_kinds BASIC ENGINE COLD)
 
 # Flags of a kind of layers, for the library that has them.
