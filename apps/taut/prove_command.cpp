@@ -51,7 +51,8 @@ int run_prove_clearance(const ProveArguments& arguments) {
   options.limits.stop = stop_on_signals();
   const MarginAnswer answer =
       watched(scene, arguments.scene.path, [&] { return prove_clearance(scene, clearance, file.stream(), options); });
-  const bool proof = answer.outcome == Outcome::free || answer.outcome == Outcome::contact ||
+  const bool proof = answer.outcome == Outcome::free || answer.outcome == Outcome::locked ||
+                     answer.outcome == Outcome::contact ||
                      (answer.outcome == Outcome::undecided && answer.free_until > scene.start);
   if (proof) file.commit();
   print_proved(arguments, scene, margin_json(scene, clearance, answer, options.touch),

@@ -114,6 +114,7 @@ int run_separator(const SeparatorArguments& arguments) {
 
 void add_separator(const Command& app, Action& action) {
   const Command command = app.add_command("separator", "Curves that keep the bodies apart at one instant");
+  command.hide();  // of interest to readers of the paper; `taut --help` is to fit a screen
   const auto arguments = std::make_shared<SeparatorArguments>();
   add_scene(command, arguments->scene);
   command.add_option("--at", arguments->at, "the instant; without it, the start").value("T");

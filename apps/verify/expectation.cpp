@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "scene/mechanism_lock.hpp"
 #include "taut/error.hpp"
 
 namespace taut::cli {
@@ -37,7 +38,7 @@ std::string text_of(const Expectation& expected, const Scene& scene) {
   std::string text;
   if (expected.outcome == Outcome::free) {
     text = expected.until ? fmt::format("free on [{}, {})", scene.start, *expected.until)
-                          : fmt::format("free on [{}, {}]", scene.start, scene.end);
+                          : fmt::format("free on [{}, {}]", scene.start, internal::given_end(scene));
   } else if (expected.outcome) {
     text = expected.until ? fmt::format("a contact by t = {}", *expected.until) : "a contact";
   }

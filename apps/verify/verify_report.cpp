@@ -38,6 +38,7 @@ std::string clearance_claim(const Scene& scene, const Verified& v) {
   const std::string kept = fmt::format("{} keep {} on [{}, {}", v.coverage.untested() > 0 ? "tested pairs" : "all",
                                        v.clearance, scene.start, v.free_until);
   if (v.outcome == Outcome::free) return kept + "]";
+  if (v.outcome == Outcome::locked) return kept + "], where the mechanism locks";
   if (v.outcome == Outcome::undecided) return kept + "); nothing after that";
   const CloseFeatures& f = v.closer->features;
   const std::string peer = f.edge ? edge_text(scene, *f.edge) : vertex_text(scene, *f.other);
@@ -52,7 +53,9 @@ std::string clearance_claim(const Scene& scene, const Verified& v) {
 std::string claim(const Scene& scene, const Verified& v) {
   if (v.clearance > 0) return clearance_claim(scene, v);
   const char* touching = v.touch == Touch::closed ? ", touching included" : "";
-  if (v.outcome == Outcome::free) return fmt::format("free on [{}, {}]{}", scene.start, scene.end, touching);
+  if (v.outcome == Outcome::free || v.outcome == Outcome::locked)
+    return fmt::format("free on [{}, {}]{}{}", scene.start, scene.end, touching,
+                       v.outcome == Outcome::locked ? ", where the mechanism locks" : "");
   const std::string before =
       v.free_until > scene.start ? fmt::format("free on [{}, {}){}", scene.start, v.free_until, touching) : "";
   if (v.outcome == Outcome::undecided)

@@ -1,4 +1,6 @@
 // What is hashed, byte for byte: docs/proof-format.md.
+#include <algorithm>
+#include <map>
 #include <variant>
 
 #include "geometry/segment_numbers.hpp"
@@ -9,6 +11,7 @@
 #include "proof/sha256.hpp"
 #include "scene/cross_sections.hpp"
 #include "scene/ignored_pairs.hpp"
+#include "scene/mechanism_lock.hpp"
 #include "scene/ring_set.hpp"
 #include "taut/error.hpp"
 #include "taut/proof.hpp"
@@ -99,7 +102,13 @@ void add_curves(Hasher& hash, const Scene& scene) {
   }
 }
 
+/// Stands for the number of pieces of a body that a joint moves.
+constexpr std::size_t follows_joint = 0xfffffffeu;
+
 void add_motion(Hasher& hash, const Body& body, const Scene& scene) {
+  const bool joined = std::any_of(body.motion.pieces.begin(), body.motion.pieces.end(),
+                                  [](const MotionPiece& piece) { return followed_joint(piece); });
+  if (joined) return hash.count(follows_joint);
   const std::vector<MotionPiece> pieces = given_pieces_between(body.motion, scene.start, scene.end);
   hash.count(pieces.size());
   for (const MotionPiece& piece : pieces) add_piece(hash, piece);
@@ -121,6 +130,53 @@ void add_layers(Hasher& hash, const Scene& scene) {
       hash.number(z.lo);
       hash.number(z.hi);
     }
+  }
+}
+
+void add_drive(Hasher& hash, const Drive& drive) {
+  hash.count(drive.pieces.size());
+  for (const Drive::Piece& piece : drive.pieces) {
+    hash.number(piece.until);
+    hash.byte(piece.line ? 1 : 0);
+    if (piece.line) {
+      for (const double x : *piece.line) hash.number(x);
+    } else {
+      hash.polynomial(piece.polynomial);
+    }
+  }
+}
+
+/// How bodies are joined; nothing without a mechanism.
+void add_mechanism(Hasher& hash, const Scene& scene) {
+  if (!scene.mechanism) return;
+  const Mechanism& mechanism = *scene.mechanism;
+  const std::map<std::string, int> bodies = bodies_by_name(scene);
+  const auto add_body = [&](const std::string& name) { hash.count(static_cast<std::size_t>(bodies.at(name))); };
+  const auto add_joint = [&](const std::string& name) {
+    const auto found = std::find_if(mechanism.joints.begin(), mechanism.joints.end(),
+                                    [&](const MechanismJoint& joint) { return joint.name == name; });
+    hash.count(static_cast<std::size_t>(found - mechanism.joints.begin()));
+  };
+  hash.byte(3);
+  add_body(mechanism.ground);
+  hash.count(mechanism.joints.size());
+  for (const MechanismJoint& joint : mechanism.joints) {
+    const bool slides = joint.kind == MechanismJoint::Kind::slide;
+    hash.byte(slides ? 1 : 0);
+    add_body(joint.first);
+    add_body(joint.second);
+    hash.point(slides ? joint.direction : joint.at);
+  }
+  hash.count(mechanism.drives.size());
+  for (const Drive& drive : mechanism.drives) {
+    add_joint(drive.joint);
+    add_drive(hash, drive);
+  }
+  hash.count(mechanism.couplings.size());
+  for (const Coupling& coupling : mechanism.couplings) {
+    add_joint(coupling.joint);
+    add_joint(coupling.to);
+    hash.number(coupling.times);
   }
 }
 
@@ -150,19 +206,20 @@ void add_bodies(Hasher& hash, const Scene& scene) {
   if (scene.at_rest == AtRest::test) hash.byte(1);
   if (scene.at_rest == AtRest::never) hash.byte(2);
   add_layers(hash, scene);
+  add_mechanism(hash, scene);
 }
 
 }  // namespace
 
 Fingerprint scene_fingerprint(const Scene& scene, Touch touch) {
-  if (scene.mechanism)
-    throw InputError("mechanism", "proof logs of mechanisms cannot be written yet",
-                     "`taut check --engine both` compares two engines");
   const bool curved = proof::any_curves(scene);
+  if (scene.mechanism && curved)
+    throw InputError("mechanism", "proof logs of mechanisms with curves cannot be written yet",
+                     "`taut check --engine both` compares two engines; `taut flatten` makes polygons of the curves");
   Hasher hash(curved ? "taut curve 1" : "taut scene 3");
   hash.byte(touch == Touch::closed ? 1 : 0);
   hash.number(scene.start);
-  hash.number(scene.end);
+  hash.number(given_end(scene));
   add_bodies(hash, scene);
   if (curved) add_curves(hash, scene);
   return hash.finish();

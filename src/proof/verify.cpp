@@ -19,6 +19,7 @@
 #include "proof/stretch_of_segments.hpp"
 #include "proof/verifier_world.hpp"
 #include "proof/verify_separations.hpp"
+#include "scene/mechanism_lock.hpp"
 #include "scene/validate_scene.hpp"
 #include "taut/validate.hpp"
 
@@ -280,7 +281,10 @@ class Verifier {
 namespace taut {
 using namespace internal;
 
-Verified verify(const Scene& scene, std::istream& log) {
+namespace {
+
+/// Of the scene's time, or that before a lock.
+Verified verify_to_the_end(const Scene& scene, std::istream& log) {
   const bool curved = proof::any_curves(scene);
   // The polygons that stand for curves are in the log.
   if (!curved) validate_polygons(scene);
@@ -293,6 +297,15 @@ Verified verify(const Scene& scene, std::istream& log) {
   } catch (const Undecidable& limit) {
     throw ProofError(not_decided(limit));
   }
+}
+
+}  // namespace
+
+Verified verify(const Scene& scene, std::istream& log) {
+  Verified proved = verify_to_the_end(scene, log);
+  std::string reason;
+  note_lock(scene, proved.outcome, reason);
+  return proved;
 }
 
 }  // namespace taut

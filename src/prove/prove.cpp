@@ -6,6 +6,7 @@
 #include "prove/proof_writer.hpp"
 #include "prove/prove_separations.hpp"
 #include "scene/curved_world.hpp"
+#include "scene/mechanism_lock.hpp"
 #include "scene/validate_scene.hpp"
 #include "taut/error.hpp"
 #include "taut/proof.hpp"
@@ -40,7 +41,10 @@ Answer prove_by_both(const Scene& scene, std::ostream& log, const CheckOptions& 
 
 }  // namespace
 
-Answer prove(const Scene& scene, std::ostream& log, const CheckOptions& given) {
+namespace {
+
+/// Of the scene's time, or that before a lock.
+Answer prove_to_the_end(const Scene& scene, std::ostream& log, const CheckOptions& given) {
   CheckOptions options = given;
   options.all_pairs = false;
   if (options.fit != 0)
@@ -67,6 +71,14 @@ Answer prove(const Scene& scene, std::ostream& log, const CheckOptions& given) {
                                                         : prove_by_separations(run, scene, log, options);
     }
   }
+}
+
+}  // namespace
+
+Answer prove(const Scene& scene, std::ostream& log, const CheckOptions& options) {
+  Answer answer = prove_to_the_end(scene, log, options);
+  note_lock(scene, answer.outcome, answer.reason);
+  return answer;
 }
 
 }  // namespace taut

@@ -12,6 +12,7 @@
 #include "proof/header.hpp"
 #include "prove/separations_writer.hpp"
 #include "scene/curved_world.hpp"
+#include "scene/mechanism_lock.hpp"
 #include "spacetime/first_contact.hpp"
 #include "taut/proof.hpp"
 
@@ -223,11 +224,15 @@ MarginAnswer prove_clearance(const Scene& scene, double clearance, std::ostream&
   if (has_curves(scene)) return prove_clearance_of_curves(scene, clearance, log, given);
   CheckOptions options = given;
   options.all_pairs = false;
-  const MarginAnswer answer = check_clearance(scene, clearance, options);
-  return as_proved(answer, scene.start, [&] {
+  MarginAnswer answer = check_clearance(scene, clearance, options);
+  // The log is about the time before a lock.
+  if (answer.outcome == Outcome::locked) answer.outcome = Outcome::free;
+  MarginAnswer proved = as_proved(answer, scene.start, [&] {
     return write_log(log, scene, options.touch, body_about_clearance(scene, answer, clearance, options.touch),
                      clearance);
   });
+  note_lock(scene, proved.outcome, proved.reason);
+  return proved;
 }
 
 }  // namespace taut

@@ -98,8 +98,10 @@ TEST(MechanismFile, IsWrittenAsItIsRead) {
 }
 
 TEST(MechanismFile, KeepsTheTimeOfASceneThatLocks) {
-  const Scene scene =
-      parse_scene(four_bar(R"({"A":{"from_deg":0,"to_deg":360}})", R"({"D":{"from_deg":0,"to_deg":120}})"));
+  std::string text = four_bar(R"({"A":{"from_deg":0,"to_deg":360}})", R"({"D":{"from_deg":0,"to_deg":120}})");
+  // The base below the rocker, on its layer.
+  text.replace(text.find("\"z\":[-1,0]"), 10, "\"z\":[2,3]");
+  const Scene scene = parse_scene(text);
   ASSERT_TRUE(scene.lock);
   EXPECT_LT(scene.end, 1);
   EXPECT_EQ(scene.lock->kind, MechanismLock::Kind::dead_point);
