@@ -31,6 +31,7 @@ class Outcome(enum.IntEnum):
     OVERLAP_AT_START = 2
     UNDECIDED = 3
     UNTESTED = 4
+    LOCKED = 5
 
 
 def answer_dtype() -> numpy.dtype[numpy.void]:
