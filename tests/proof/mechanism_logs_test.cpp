@@ -1,7 +1,7 @@
 // Logs about mechanisms: valid for their scene, and for no other one.
 #include <gtest/gtest.h>
 
-#include <filesystem>
+#include <cmath>
 #include <sstream>
 
 #include "taut/clearance.hpp"
