@@ -1,6 +1,7 @@
 // A picture of any number of bodies at one instant.
 #include <fmt/format.h>
 
+#include "draw/joint_marks.hpp"
 #include "draw/svg_world_legend.hpp"
 #include "draw/world_marks.hpp"
 #include "draw/world_tilings.hpp"
@@ -36,6 +37,7 @@ class WorldPicture {
     }
     for (const io::PaintedSheet& sheet : shapes_.sheets()) out += draw_sheet(sheet);
     for (const std::size_t body : shapes_.painting_order()) out += draw_number(body);
+    for (const io::JointPlace& joint : io::joint_places(scene_, shapes_)) out += draw_joint(joint);
     out += io::world_marks(scene_, shapes_, poses_, canvas_, options_);
     if (options_.legend) out += legend_.draw(canvas_.height() - legend_.height());
     return out + "</svg>\n";
@@ -63,6 +65,12 @@ class WorldPicture {
     if (!options_.legend || !io::has_room(inner, canvas_.scale(), body)) return "";
     const Point p = canvas_.pixel(io::placed(poses_[body], inner.at));
     return fmt::format("<g transform=\"translate({})\">{}</g>\n", io::pixel_text(p), io::number_mark(body));
+  }
+
+  std::string draw_joint(const io::JointPlace& joint) const {
+    const BodyPose& pose = poses_[joint.body];
+    return fmt::format("<g transform=\"translate({})\">{}</g>\n",
+                       io::pixel_text(canvas_.pixel(io::placed(pose, joint.at))), io::joint_mark(joint, pose));
   }
 
   const Scene& scene_;

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "draw/joint_marks.hpp"
 #include "draw/svg_canvas.hpp"
 #include "draw/svg_track.hpp"
 #include "draw/svg_world_legend.hpp"
@@ -88,6 +89,7 @@ class WorldAnimation {
     std::string out = draw_tilings(moving);
     for (const io::PaintedSheet& sheet : shapes_.sheets()) out += draw_sheet(sheet, moving);
     for (const std::size_t body : shapes_.painting_order()) out += draw_number(body, moving);
+    for (const io::JointPlace& joint : io::joint_places(scene_, shapes_)) out += draw_joint(joint, moving);
     const std::string marks = io::world_marks(scene_, shapes_, frames_.back().poses, canvas_, options_.draw);
     if (!marks.empty()) out += "<g>" + shown_at_the_end(moving) + marks + "</g>\n";
     return out + draw_bar(moving);
@@ -178,10 +180,21 @@ class WorldAnimation {
       return Point{q.x - middle.x, q.y - middle.y};
     };
     const std::string path = io::sheet_shape(shapes_, sheet, local);
-    if (!moving) return carried(body, shapes_.middle(body), path, false);
+    return carried(body, shapes_.middle(body), turned(body, path, moving), moving);
+  }
+
+  /// What is drawn for the first frame, turned with the body.
+  std::string turned(std::size_t body, const std::string& drawn, bool moving) const {
+    if (!moving) return drawn;
     // In pixels y points down: what turns left there turns right here.
-    const auto turned = [&](const Frame& frame) { return fmt::format("{:.2f}", -frame.degrees[body] + 0.0); };
-    return carried(body, shapes_.middle(body), "<g>" + transform("rotate", turned) + path + "</g>", true);
+    const auto angle = [&](const Frame& frame) { return fmt::format("{:.2f}", -frame.degrees[body] + 0.0); };
+    return "<g>" + transform("rotate", angle) + drawn + "</g>";
+  }
+
+  std::string draw_joint(const io::JointPlace& joint, bool moving) const {
+    const std::size_t body = joint.body;
+    const std::string mark = io::joint_mark(joint, (moving ? frames_.front() : frames_.back()).poses[body]);
+    return carried(body, joint.at, joint.slides ? turned(body, mark, moving) : mark, moving);
   }
 
   std::string draw_number(std::size_t body, bool moving) const {

@@ -249,5 +249,80 @@ TEST(SvgWorld, NamesLayersInTheLegend) {
   EXPECT_EQ(draw_svg(read_scene("examples/worlds/room.json"), 0, {}).find("layers"), std::string::npos);
 }
 
+/// Where the marks of joints are, in pixels, in the order of the mechanism.
+std::vector<Point> joints_in(const std::string& svg) {
+  const std::string head = "<g transform=\"translate(";
+  std::vector<Point> places;
+  for (std::size_t at = svg.find("class=\"joint\""); at != std::string::npos;
+       at = svg.find("class=\"joint\"", at + 1)) {
+    const std::size_t from = svg.rfind(head, at) + head.size();
+    const std::vector<std::string> place = split(svg.substr(from, svg.find(')', from) - from), ',');
+    places.push_back({std::stod(place[0]), std::stod(place[1])});
+  }
+  return places;
+}
+
+TEST(SvgWorld, MarksJointsWhereTheirBodiesCarryThem) {
+  const std::string svg = draw_svg(read_scene("examples/mechanisms/crank_rocker.json"), 90);
+  EXPECT_TRUE(well_formed(svg));
+  const std::vector<Point> joints = joints_in(svg);
+  ASSERT_EQ(joints.size(), 4U);
+  // The crank of length 18 points to the left; the pins on the base are 60 apart.
+  const Point &a = joints[0], &b = joints[1], &c = joints[2], &d = joints[3];
+  const double unit = (d.x - a.x) / 60;
+  EXPECT_GT(unit, 1);
+  EXPECT_NEAR(d.y, a.y, 0.02);
+  EXPECT_NEAR(b.x, a.x - 18 * unit, 0.02);
+  EXPECT_NEAR(b.y, a.y, 0.02);
+  // The coupler and the rocker keep their lengths.
+  EXPECT_NEAR(std::hypot(c.x - b.x, c.y - b.y), std::hypot(50.857, 38.941 - 18) * unit, 0.05);
+  EXPECT_NEAR(std::hypot(c.x - d.x, c.y - d.y), std::hypot(60 - 50.857, 38.941) * unit, 0.05);
+  EXPECT_LT(svg.rfind("fill-rule=\"evenodd\""), svg.find("class=\"joint\"")) << "above the bodies";
+  EXPECT_EQ(count(draw_svg(crank_scene(), 0), "class=\"joint\""), 0U) << "only those of mechanisms";
+}
+
+/// A pin of three bodies is one pin; a slide is a pair of rails along its direction, which turns with its bodies.
+TEST(SvgWorld, MarksSlidesByRails) {
+  EXPECT_EQ(joints_in(draw_svg(read_scene("examples/mechanisms/jansen.json"), 0)).size(), 7U);
+  const Scene scene = read_scene("examples/mechanisms/excavator.json");
+  const std::string svg = draw_svg(scene, scene.end);
+  std::size_t slides = 0, at = 0;
+  for (const MechanismJoint& joint : scene.mechanism->joints) {
+    if (joint.kind != MechanismJoint::Kind::slide) continue;
+    ++slides;
+    std::size_t first = 0;
+    while (scene.bodies[first].name != joint.first) ++first;
+    const Point axis = poses_at(scene, scene.end)[first].axis, d = joint.direction;
+    const Point along{axis.x * d.x - axis.y * d.y, axis.y * d.x + axis.x * d.y};
+    at = svg.find("<g class=\"joint\"", at + 1);
+    ASSERT_NE(at, std::string::npos);
+    const std::string path = attribute(svg.substr(svg.find("<path", at), 90), "d");
+    const std::vector<std::string> line = split(split(path.substr(1), 'M')[0], 'L');
+    const std::vector<std::string> from = split(line[0], ','), to = split(line[1], ',');
+    // Upwards in the world is downwards in pixels.
+    const Point rail{std::stod(to[0]) - std::stod(from[0]), std::stod(from[1]) - std::stod(to[1])};
+    EXPECT_NEAR((rail.x * along.y - rail.y * along.x) / std::hypot(along.x, along.y), 0, 0.05) << joint.name;
+    EXPECT_GT(rail.x * along.x + rail.y * along.y, 0) << joint.name;
+  }
+  EXPECT_GT(slides, 0U);
+  EXPECT_EQ(count(svg, "<g class=\"joint\""), slides);
+}
+
+TEST(SvgWorldAnimation, MovesJointsWithTheirBodies) {
+  const Scene scene = read_scene("examples/mechanisms/toggle_press.json");
+  AnimateOptions options;
+  options.frames = 5;
+  const std::string svg = animate_svg(scene, scene.end, options);
+  EXPECT_TRUE(well_formed(svg));
+  // In the moving layer and in the still one.
+  EXPECT_EQ(count(svg, "class=\"joint\""), 2 * scene.mechanism->joints.size());
+  const std::vector<Point> end = joints_in(draw_svg(scene, scene.end));
+  const std::vector<Point> still = joints_in(svg.substr(svg.find("<g class=\"still\">")));
+  ASSERT_EQ(still.size(), end.size());
+  // The sizes of both pictures differ, their proportions do not: the toggle is straight.
+  for (const std::vector<Point>& joints : {end, still}) EXPECT_NEAR(joints[0].x, joints[2].x, 0.02);
+  EXPECT_GT(std::abs(joints_in(svg)[1].x - still[1].x), 3) << "the elbow has moved";
+}
+
 }  // namespace
 }  // namespace taut
