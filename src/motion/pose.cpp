@@ -41,20 +41,39 @@ std::optional<SingularCosine> singular_at(const CosineRotation& rotation, double
 namespace {
 
 /// What cannot be distinguished from zero is zero.
-Ball<double> rounded(const Ball<RealMax>& x) {
-  const double mid = RealTraits<RealMax>::to_double(x.mid), size = std::fabs(mid);
+template <class Real>
+Ball<double> rounded(const Ball<Real>& x) {
+  const double mid = RealTraits<Real>::to_double(x.mid), size = std::fabs(mid);
   if (!(size > x.rad)) return Ball<double>(0, detail::inflate(x.rad + size));
   return Ball<double>(mid, detail::inflate(x.rad + size * 0x1p-52));
 }
-Jet<double> rounded(const Jet<RealMax>& x) { return {rounded(x.v), rounded(x.d), rounded(x.dd)}; }
+template <class Real>
+Jet<double> rounded(const Jet<Real>& x) {
+  return {rounded(x.v), rounded(x.d), rounded(x.dd)};
+}
+
+template <class Real>
+double width(const Pose<Real>& p) {
+  return p.ox.v.rad + p.oy.v.rad + p.xx.v.rad + p.xy.v.rad;
+}
+
+/// The first precision that leaves no doubt about a double; the last one says what it can.
+template <int stage>
+Pose<double> sharp_pose_from(const MotionPiece& piece, double t) {
+  using Real = std::tuple_element_t<stage, Precisions>;
+  const Pose<Real> p = pose(piece, Ball<Real>::exact(t));
+  if constexpr (stage + 1 < precise_stages) {
+    if (!(width(p) < 0x1p-160)) return sharp_pose_from<stage + 1>(piece, t);
+  }
+  return {rounded(p.ox), rounded(p.oy), rounded(p.xx), rounded(p.xy)};
+}
 
 }  // namespace
 
 Pose<double> sharp_pose(const MotionPiece& piece, double t) {
   const Pose<double> p = pose(piece, Ball<double>::exact(t));
   if (p.xx.v.rad + p.xy.v.rad < 0x1p-40) return p;
-  const Pose<RealMax> sharp = pose(piece, Ball<RealMax>::exact(t));
-  return {rounded(sharp.ox), rounded(sharp.oy), rounded(sharp.xx), rounded(sharp.xy)};
+  return sharp_pose_from<0>(piece, t);
 }
 
 }  // namespace taut::internal
