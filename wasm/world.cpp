@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "draw/joint_marks.hpp"
 #include "draw/world_shapes.hpp"
 #include "draw/world_tilings.hpp"
 #include "io/json_text.hpp"
@@ -146,8 +147,13 @@ std::string shapes_text(const Scene& scene, const CurvedWorld* curves) {
     const io::BodyStyle style = io::body_style(k);
     styles += std::string(k ? "," : "") + "[\"" + style.fill + "\",\"" + style.line + "\",\"" + style.ink + "\"]";
   }
-  return "{\"order\":[" + order + "],\"inner\":[" + inner + "],\"styles\":[" + styles + "]" +
-         (curves ? ",\"bands\":" + bands_text(*curves) : "") + "}";
+  std::string joints;
+  for (const io::JointPlace& joint : io::joint_places(scene, shapes)) {
+    joints += (joints.empty() ? "[" : ",[") + std::to_string(joint.body) + "," + io::point_text(joint.at) +
+              (joint.slides ? "," + io::point_text(joint.direction) : "") + "]";
+  }
+  return "{\"order\":[" + order + "],\"inner\":[" + inner + "],\"styles\":[" + styles + "],\"joints\":[" + joints +
+         "]" + (curves ? ",\"bands\":" + bands_text(*curves) : "") + "}";
 }
 
 std::vector<double> poses_of(const Scene& scene, double t) {

@@ -41,7 +41,8 @@ class World {
 };
 
 /// For pictures on the page: {"order": bodies in the order of painting, "inner": for each body [x, y, room, part] of a
-/// point deep inside it, in its own coordinates, "styles": [[fill, line, ink], ...], which come again after the last}.
+/// point deep inside it, in its own coordinates, "styles": [[fill, line, ink], ...], which come again after the last,
+/// "joints": [[body, [x, y], direction of a slide], ...], each in the coordinates of the body that carries it}.
 /// With `curves` also "bands": for each body, part and ring [width, [x, y, ...], [x, y, ...]], the walls of a band that
 /// the curve is in, none of them farther than the width from the other; for each polygon [].
 std::string shapes_text(const Scene& scene, const CurvedWorld* curves);

@@ -43,6 +43,8 @@ const titles = {
   rotor_long_tooth: "Rotor, one tooth too long",
   spiral: "Spirals",
   "worlds/layers": "Layers: scissors",
+  "mechanisms/crank_rocker": "Mechanism: a crank-rocker",
+  "mechanisms/jansen": "Mechanism: a Jansen leg",
   "worlds/room": "World: a robot in a room",
   "worlds/arm": "World: an arm of three links",
   "worlds/planetary": "World: a planetary gear",

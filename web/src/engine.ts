@@ -65,7 +65,15 @@ export interface Coverage {
   not_reached: number;
 }
 
-export type Outcome = "free" | "contact" | "overlap_at_start" | "undecided" | "untested";
+/** Where a mechanism stops. */
+export interface Lock {
+  t: [number, number];
+  kind: "dead point" | "change point" | "undecided";
+  joints: string[];
+  links: string[];
+}
+
+export type Outcome = "free" | "contact" | "overlap_at_start" | "undecided" | "untested" | "locked";
 
 /** As `taut check --json` prints it. */
 export interface Answer {
@@ -78,6 +86,7 @@ export interface Answer {
   also?: PairAnswer[];
   coverage: Coverage;
   free_until?: number;
+  lock?: Lock;
   reason?: string;
   /** How well curves were known. */
   geometry?: { tolerance: number; segments: number };
@@ -94,6 +103,8 @@ export interface WorldStyles {
   inner: [number, number, number, number][];
   /** Fill, line, and what is written on the fill; they come again after the last. */
   styles: [string, string, string][];
+  /** The body that carries a joint, where, and along what a slide goes, in the coordinates of that body. */
+  joints: [number, [number, number], [number, number]?][];
   /** Of each body, part and ring with curves; polygons have none. */
   bands?: Band[][][];
 }
@@ -163,6 +174,13 @@ export interface Scene {
   bodies: Body[];
   /** Pairs that are not asked about; "*" is every other body. */
   ignore?: [string, string][];
+  mechanism?: Mechanism;
+}
+
+/** Joints that move bodies; the library reads the rest of it. */
+export interface Mechanism {
+  ground: string;
+  joints: Record<string, { revolute?: string[]; slide?: string[] }>;
 }
 
 /** As files have it: a polygon with holes, or a path, is one part here. */

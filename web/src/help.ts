@@ -5,7 +5,7 @@ const keys: [string, string][] = [
   ["Space", "play or pause"],
   ["→ ←", "next or previous event"],
   ["Shift → ←", "a hundredth of the time on or back"],
-  ["Home End", "start, or contact or end"],
+  ["Home End", "start, or contact, lock or end"],
   ["+ − 0", "zoom in, zoom out, show everything"],
   ["w a s d", "move the view"],
   ["z", "zoom to the event or the contact; once more, to where curves are bands"],

@@ -83,13 +83,19 @@ export class Player {
 
   /** The last instant that can be shown. */
   get limit(): number {
-    return this.beyond && this.finished ? this.scene.time[1] : this.known;
+    return this.beyond && this.finished ? this.last : this.known;
+  }
+
+  /** The end of all motion: that of the scene's time, or right before a mechanism locks. */
+  get last(): number {
+    const { lock, scope } = this.status.answer;
+    return lock ? scope.time[1] : this.scene.time[1];
   }
 
   /** The right end of the slider: as limit, but the scene's end while the engine is at work. */
   get end(): number {
     const whole = this.status.state === "running" || this.overlapping;
-    return whole ? this.scene.time[1] : Math.max(this.limit, this.start);
+    return whole ? this.last : Math.max(this.limit, this.start);
   }
 
   /** To the contact; from there on to the end, if that is shown. */

@@ -143,11 +143,12 @@ export class QuestionPanel {
   }
 
   private marginWords(): Node[] {
-    const { outcome, clearance, t, pair, reason } = this.asked.answers.check_clearance!;
+    const { outcome, clearance, t, pair, reason, lock } = this.asked.answers.check_clearance!;
     const closer = `${pair?.join(" x ")}: closer than ${clearance}`;
-    if (outcome === "free") {
+    if (outcome === "free" || outcome === "locked") {
       const all = untested(this.asked.answers.check_clearance!.coverage) > 0 ? "Tested pairs keep" : "All keep";
-      return [h("p", {}, `${all} ${clearance}: proved for the whole time.`)];
+      const time = outcome === "free" ? "for the whole time" : `until the lock at t = ${timeText(...lock!.t)}`;
+      return [h("p", {}, `${all} ${clearance}: proved ${time}.`)];
     }
     if (outcome === "contact") return [h("p", {}, this.link(`${closer} at t = ${timeText(...t!)}`, t![0]))];
     if (outcome === "closer_at_start") return [h("p", {}, this.link(`${closer} at the start`, this.player.start))];
@@ -163,7 +164,12 @@ export class QuestionPanel {
       h("li", {}, at ? this.link(`${timeText(...at)}: ${stop?.pair.join(" x ")}`, at[0]) : own);
     return [
       h("p", {}, `Around t = ${roundText(around, 9)}, without overlap:`),
-      h("ul", {}, end(range.from, before, "from the start"), end(range.to, after, "to the end")),
+      h(
+        "ul",
+        {},
+        end(range.from, before, "from the start"),
+        end(range.to_lock ? null : range.to, after, range.to_lock ? "to the lock" : "to the end"),
+      ),
     ];
   }
 

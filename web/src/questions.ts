@@ -1,6 +1,6 @@
 // Questions beyond the first contact: asked of the library by the names that they have there, answered as the commands
 // answer them with --json.
-import { TautError, type Coverage, type Feature, type Outcome, type PairAnswer, type Scene } from "./engine";
+import { TautError, type Coverage, type Feature, type Lock, type Outcome, type PairAnswer, type Scene } from "./engine";
 import type { Player } from "./player";
 
 export interface Overlap {
@@ -75,7 +75,12 @@ export interface SeparationAnswer extends Partial<FreeDirections> {
 
 export interface RangeAnswer extends Verdict {
   /** An end is null where it is the scene's own. */
-  range: { from: [number, number] | null; to: [number, number] | null } | null;
+  range: {
+    from: [number, number] | null;
+    to: [number, number] | null;
+    /** The end is where a mechanism locks. */
+    to_lock?: boolean;
+  } | null;
   around: number;
   before?: Overlap;
   after?: Overlap;
@@ -83,6 +88,7 @@ export interface RangeAnswer extends Verdict {
 
 export interface MarginAnswer extends Omit<Verdict, "outcome"> {
   outcome: Outcome | "closer_at_start";
+  lock?: Lock;
   clearance: number;
   t?: [number, number];
   pair?: [string, string];

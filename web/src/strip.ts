@@ -4,6 +4,13 @@ import { piecesOf } from "./motions";
 import type { Player } from "./player";
 import type { Colours } from "./theme";
 
+/** A bar across the way. */
+function drawLock(c: CanvasRenderingContext2D, colours: Colours, at: number, height: number): void {
+  c.fillStyle = colours.lock;
+  c.fillRect(at - 2, 0, 4, height);
+  c.fillRect(at - 6, 0, 12, 4);
+}
+
 export class EventStrip {
   readonly canvas = h("canvas", { class: "strip", "aria-hidden": "true" });
   /** What the picture depends on. */
@@ -25,6 +32,7 @@ export class EventStrip {
       player.replay.count,
       player.finished,
       player.opened,
+      player.status.answer.lock === undefined,
       colours.paper,
     ].join();
     if (key === this.key) return;
@@ -62,6 +70,7 @@ export class EventStrip {
       c.fillStyle = colours.line;
       c.fillRect(x(player.known), height / 2, width - edge - x(player.known), 2);
     }
+    if (player.status.answer.lock && player.end >= player.last) drawLock(c, colours, x(player.last), height);
     if (player.status.answer.t) {
       c.fillStyle = colours.contact;
       const at = x(player.known);

@@ -26,6 +26,8 @@ export interface Colours {
   come: string;
   contact: string;
   fault: string;
+  /** Where a mechanism stops. */
+  lock: string;
   /** Where bodies are closest, and the least distance. */
   nearest: string;
   /** A distance, and what is free. */
@@ -67,6 +69,7 @@ const palette: { [Name in keyof Colours]: [Colours[Name], Colours[Name]] } = {
   come: ["#7b1fd1", "#c79bff"],
   contact: ["#c4161c", "#ff6b66"],
   fault: ["#c4161c", "#ff6b66"],
+  lock: ["#7a5600", "#ffd54a"],
   nearest: ["#7b1fd1", "#c79bff"],
   distance: ["#2f5d8a", "#6fb1f2"],
   free: ["#0f6b4f", "#5ad1a5"],

@@ -1,5 +1,5 @@
 // What things are called.
-import type { Answer, Body, Coverage, Feature, Scene } from "./engine";
+import type { Answer, Body, Coverage, Feature, Lock, Scene } from "./engine";
 import { partsOf } from "./shapes";
 import type { MapEvent, Repair } from "./replay";
 
@@ -71,6 +71,8 @@ export function headline(answer: Answer, running: boolean): string {
       return "Nothing was tested";
     case "contact":
       return `Contact at t = ${timeText(...answer.t!)}`;
+    case "locked":
+      return `Locks at t = ${timeText(...answer.lock!.t)}`;
     case "overlap_at_start":
       return "Overlap at the start";
     case "undecided":
@@ -134,10 +136,17 @@ function geometryLine({ geometry }: Answer): string {
   return `Curves known to ${tolerance.toPrecision(3)}, by ${segments} straight edges.`;
 }
 
+/** As `taut check` says it; empty where it is not known whether it locks. */
+function lockLine(lock: Lock | undefined): string {
+  if (!lock || lock.kind === "undecided") return "";
+  const free = lock.joints.length > 0 ? `; free to move there: ${lock.joints.join(", ")}` : "";
+  return `The mechanism locks at t = ${timeText(...lock.t)} (${lock.kind}): ${lock.links.join(", ")} in line${free}.`;
+}
+
 /** What is to be said of a world besides: the pair, those that come with it, and how many were asked about. */
 function worldLines(answer: Answer): string[] {
   const also = (answer.also ?? []).map((pair) => `Also ${pair.bodies.join(" x ")}.`);
-  return [coverageText(answer.coverage), ...also, geometryLine(answer)];
+  return [lockLine(answer.lock), coverageText(answer.coverage), ...also, geometryLine(answer)];
 }
 
 /** What the picture of a world shows of tilings. */
@@ -152,6 +161,8 @@ export function explanation(answer: Answer, scene: Scene, freeUntil: number, run
   switch (answer.outcome) {
     case "free":
       return [`Proved free of contact on [${start}, ${end}]${touch}.`, ...worldLines(answer)];
+    case "locked":
+      return [`Proved free of contact until there, on [${start}, ${freeUntil}]${touch}.`, ...worldLines(answer)];
     case "contact": {
       const { vertex, edge, point } = answer.contact!;
       const bodyOf = (f: Feature): Body => scene.bodies.find((b) => b.name === f.body)!;

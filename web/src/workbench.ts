@@ -271,7 +271,7 @@ export class Workbench {
   /** What is said of an instant leads there. */
   private headlineElement(text: string): Node {
     const { player } = this;
-    if (player.status.answer.outcome !== "contact" || this.invalid || player.failure)
+    if (!["contact", "locked"].includes(player.status.answer.outcome) || this.invalid || player.failure)
       return document.createTextNode(text);
     const action = (): void => player.seek(player.known);
     return h("button", { type: "button", title: "Show this instant", onclick: action }, text);
@@ -347,7 +347,7 @@ export class Workbench {
         button("previous", "Previous event", () => player.stepEvent(-1), "←"),
         this.playButton,
         button("next", "Next event", () => player.stepEvent(1), "→"),
-        button("last", "Contact or end", () => player.toTheEnd(), "End"),
+        button("last", "Contact, lock or end", () => player.toTheEnd(), "End"),
       ),
       h("div", { class: "scrub" }, this.lanes.element, this.strip.canvas, this.slider),
       this.clock,

@@ -13,6 +13,9 @@ import type { Colours } from "./theme";
 
 /** From so far on, in pixels, a number does not touch the boundary of its body. */
 const roomForNumber = 8;
+/** Half the length of the rails of a slide, and how far they are from its middle, in pixels. */
+const railHalf = 12;
+const railGap = 8;
 /** Bands that are thinner everywhere, in pixels, are not seen. */
 const leastBand = 0.7;
 
@@ -34,6 +37,8 @@ export class WorldPainter {
     for (const sheet of shown) vertices += this.sheet(frame, sheet, world, layers, colours);
     this.numbers.clear();
     for (const sheet of shown) this.number(frame, sheet, world);
+    const seen = new Set(shown.map(({ body }) => body));
+    for (const joint of world.joints) if (seen.has(joint[0])) this.joint(frame, joint, colours);
     for (const pair of frame.overlaps) this.overlap(frame, pair, colours);
     return vertices;
   }
@@ -152,6 +157,30 @@ export class WorldPainter {
     if (!this.numbers.take({ x: x - width / 2, y: y + 4, width }, 11)) return;
     c.fillStyle = world.styles[body % world.styles.length][2];
     c.fillText(text, x - width / 2, y + 4);
+  }
+
+  /** A ring where links turn; a pair of rails, beside the number, where they slide. */
+  private joint(frame: Frame, [body, at, along]: WorldStyles["joints"][number], colours: Colours): void {
+    const pose = frame.poses[body];
+    if (!pose) return;
+    const [x, y] = this.camera.pixel(...placed(pose, ...at));
+    const path = new Path2D();
+    if (!along) path.arc(x, y, 4, 0, 2 * Math.PI);
+    else {
+      const [dx, dy] = [pose.c * along[0] - pose.s * along[1], -(pose.s * along[0] + pose.c * along[1])];
+      for (const side of [-railGap, railGap]) {
+        path.moveTo(x - side * dy - railHalf * dx, y + side * dx - railHalf * dy);
+        path.lineTo(x - side * dy + railHalf * dx, y + side * dx + railHalf * dy);
+      }
+    }
+    const c = this.context;
+    c.fillStyle = c.strokeStyle = colours.paper;
+    c.lineWidth = 4;
+    if (along) c.stroke(path);
+    else c.fill(path);
+    c.strokeStyle = colours.ink;
+    c.lineWidth = 1.8;
+    c.stroke(path);
   }
 
   private overlap(frame: Frame, pair: [number, number], colours: Colours): void {

@@ -39,7 +39,7 @@ export function run(...args) {
   try {
     return execFileSync(taut, args, { cwd: root, encoding: "utf8", maxBuffer: 1 << 28 });
   } catch (error) {
-    if (error.status === 1) return error.stdout;
+    if (error.status === 1 || error.status === 3) return error.stdout;
     throw error;
   }
 }
