@@ -5,13 +5,19 @@ import type { Pose, Scene } from "./engine";
 import { local } from "./figure";
 import type { FaultMarks, Frame } from "./frame";
 import { drawHandles } from "./handlemarks";
-import { Handles, type Edited, type Mode } from "./handles";
+import { Handles, type Edited, type Handle, type Mode } from "./handles";
 import { sheetsOf, type Hidden } from "./heights";
+import { isJoined, LinkDrag, SampledMotion } from "./mechanisms";
 import { keyframesOf, pivotOf, seenFrom, velocityAt, type Keyframe, type Velocity } from "./motions";
 import type { Player } from "./player";
 import { cornerAt, dropVertex, isCurved, Shape } from "./shapes";
 import type { Tool } from "./stage";
 import type { Colours } from "./theme";
+
+/** A dragged link passes to another place of its way only if that is nearer by so many pixels. */
+const slackOfLinks = 12;
+/** It is put to its place as finely as this, in pixels. */
+const fineOfLinks = 0.1;
 
 export interface EditorHost {
   /** A drag begins. */
@@ -36,6 +42,9 @@ export class Editor implements Tool, Edited {
   stale = false;
   readonly handles: Handles;
   private drag: Drag | null = null;
+  /** Of a mechanism, whose time follows the pointer. */
+  private link: LinkDrag | null = null;
+  private sampled: { opened: number; motion: SampledMotion } | null = null;
   private ownShapes: Shape[] | null = null;
 
   constructor(
@@ -59,6 +68,7 @@ export class Editor implements Tool, Edited {
   }
 
   keyframes(body = this.body): Keyframe[] | null {
+    if (isJoined(this.scene, body)) return null;
     return keyframesOf(this.scene.bodies[body], this.scene.time[0], this.scene.time[1]);
   }
 
@@ -108,12 +118,13 @@ export class Editor implements Tool, Edited {
   }
 
   hover(x: number, y: number): string {
-    return this.handles.find(x, y) ? "move" : "";
+    return this.handles.find(x, y) || this.linkBelow(x, y) >= 0 ? "move" : "";
   }
 
   down(x: number, y: number, e: PointerEvent): boolean {
     this.handles.use(e);
     const found = this.handles.find(x, y);
+    if (this.takesLink(x, y, found)) return true;
     if (!found) {
       // In the other modes a click chooses the body.
       const other = this.topmost().find((b) => b !== this.body && this.handles.covers(b, x, y));
@@ -137,8 +148,42 @@ export class Editor implements Tool, Edited {
     return true;
   }
 
+  /** The body of a mechanism below the pointer, or -1. */
+  private linkBelow(x: number, y: number): number {
+    const { mechanism, bodies } = this.scene;
+    if (!mechanism || this.faults.length > 0) return -1;
+    const body = this.topmost().find((b) => this.handles.covers(b, x, y)) ?? -1;
+    return body >= 0 && bodies[body].name !== mechanism.ground ? body : -1;
+  }
+
+  private motion(): SampledMotion {
+    const { player, sampled } = this;
+    const known = sampled?.opened === player.opened && sampled.motion.end === player.limit;
+    if (!known) {
+      const motion = new SampledMotion((t) => player.engine.poses(t), player.start, player.limit);
+      this.sampled = { opened: player.opened, motion };
+    }
+    return this.sampled!.motion;
+  }
+
+  /** Links have no place of their own: what drags one as a whole moves the mechanism, by its time. */
+  private takesLink(x: number, y: number, found: Handle | null): boolean {
+    const body = this.linkBelow(x, y);
+    if (body < 0 || (found && (found.kind !== "body" || !isJoined(this.scene, found.body)))) return false;
+    const { player } = this;
+    const { camera } = this.handles;
+    const link = new LinkDrag(this.motion(), body, camera.world(x, y), player.t, fineOfLinks / camera.scale);
+    if (!(link.reach * camera.scale > 1)) return false;
+    player.play(false);
+    this.link = link;
+    if (body !== this.body) this.choose(body);
+    return true;
+  }
+
   move(x: number, y: number): void {
-    const { drag } = this;
+    const { drag, link } = this;
+    const { camera } = this.handles;
+    if (link) this.player.seek(link.nearest(camera.world(x, y), this.player.t, slackOfLinks / camera.scale));
     if (!drag) return;
     follow(drag, this.scene, this.handles, x, y);
     if (drag.kind === "vertex") this.ownShapes = null;
@@ -146,6 +191,7 @@ export class Editor implements Tool, Edited {
   }
 
   up(): void {
+    this.link = null;
     const { drag } = this;
     this.drag = null;
     this.stale = false;

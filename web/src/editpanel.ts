@@ -3,11 +3,12 @@ import { h } from "./dom";
 import type { Scene } from "./engine";
 import type { Mode } from "./handles";
 import { KeyframeTable, type KeyframeHost } from "./keyframetable";
+import { isJoined } from "./mechanisms";
 import type { Keyframe } from "./motions";
 import { NumberField } from "./numberfield";
 
 const modes: [Mode, string, string][] = [
-  ["look", "Look", "Drag to move the view."],
+  ["look", "Look", "Drag to move the view, or a link of a mechanism: the others follow."],
   ["shape", "Shape", "Drag a body or a vertex. Double-click an edge to add a vertex; Delete removes the chosen one."],
   ["keyframes", "Keyframes", "Drag a ghost to where the body is to be at that instant; drag its handle to turn it."],
   [
@@ -85,7 +86,8 @@ export class EditPanel {
     [this.start, this.end].forEach((field, i) => {
       field.show(String(scene.time[i]));
     });
-    this.table.show(keyframes);
+    if (isJoined(scene, body)) this.table.showJoined();
+    else this.table.show(keyframes);
   }
 
   private build(): HTMLElement {

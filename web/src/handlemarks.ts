@@ -2,6 +2,7 @@
 import { addRing } from "./curvedrawing";
 import { placed } from "./figure";
 import { spinRadius, type Edited, type Handles } from "./handles";
+import { isJoined } from "./mechanisms";
 import type { Keyframe } from "./motions";
 import { verticesIn } from "./shapes";
 import { lineOf, type Colours } from "./theme";
@@ -9,7 +10,7 @@ import { lineOf, type Colours } from "./theme";
 export function drawHandles(c: CanvasRenderingContext2D, edited: Edited, handles: Handles, colours: Colours): void {
   if (edited.mode === "shape") drawVertices(c, edited, handles, colours);
   if (edited.mode === "keyframes") drawGhosts(c, edited, handles, colours);
-  if (edited.mode === "drive") drawArrow(c, edited, handles, colours);
+  if (edited.mode === "drive" && !isJoined(edited.scene, edited.body)) drawArrow(c, edited, handles, colours);
 }
 
 function drawVertices(c: CanvasRenderingContext2D, edited: Edited, handles: Handles, colours: Colours): void {

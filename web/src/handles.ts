@@ -2,6 +2,7 @@
 import type { Camera } from "./camera";
 import type { Pose, Ring, Scene } from "./engine";
 import { local, placed } from "./figure";
+import { isJoined } from "./mechanisms";
 import { poseOf, product, type Keyframe, type Velocity } from "./motions";
 import { cornerAt, partsOf, ringsWithVertices, verticesIn, type Shape } from "./shapes";
 
@@ -199,7 +200,8 @@ export class Handles {
   }
 
   private findArrow(x: number, y: number): Handle | null {
-    const { body } = this.edited;
+    const { scene, body } = this.edited;
+    if (isJoined(scene, body)) return null;
     const velocity = this.edited.velocity();
     if (this.near([x, y], this.arrowTip(velocity))) return { kind: "arrow", index: -1, body };
     if (this.near([x, y], this.spin(velocity))) return { kind: "spin", index: -1, body };

@@ -1,6 +1,7 @@
 // Outlines from elsewhere become bodies of the scene.
 import type { Part, Pose, Ring, Scene } from "./engine";
 import { Figure, placed } from "./figure";
+import { renamedInJoints } from "./mechanisms";
 import { motionOf, moved } from "./motions";
 import { partsOf } from "./shapes";
 
@@ -42,6 +43,7 @@ export function withOutline(scene: Scene, index: number, parts: Part[], name: st
 export function renamed(scene: Scene, before: string, after: string): void {
   for (const body of scene.bodies) if (body.relative_to === before) body.relative_to = after;
   const name = (n: string): string => (n === before ? after : n);
+  renamedInJoints(scene, before, after);
   if (scene.ignore) scene.ignore = scene.ignore.map(([a, b]) => [name(a), name(b)]);
 }
 

@@ -17,6 +17,11 @@ export class KeyframeTable {
 
   constructor(private readonly host: KeyframeHost) {}
 
+  /** Of a link of a mechanism. */
+  showJoined(): void {
+    this.element.replaceChildren(h("p", {}, "Joints move this body. Drag it: the time follows."));
+  }
+
   /** Null: the motion is a formula. */
   show(frames: Keyframe[] | null): void {
     if (!frames) {

@@ -1,4 +1,4 @@
-// Mechanisms on the page: joints in the picture, locks in the answer and beside the slider.
+// Mechanisms on both pages: joints in the picture, locks in the answer and beside the slider, links that are dragged.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
@@ -12,6 +12,14 @@ const fileOf = (name) => `examples/mechanisms/${name}.json`;
 const sceneOf = (name) => JSON.parse(readFileSync(join(root, fileOf(name)), "utf8"));
 
 const view = (name, options) => openPage(site.browser, viewPage(fileOf(name), `mechanism-${name}`), options);
+
+async function playground(example) {
+  const page = await openPage(site.browser, site.server.address);
+  await page.selectOption("#example", example);
+  await page.waitForFunction(() => window.taut.player.finished && !window.playground.pending);
+  await settled(page);
+  return page;
+}
 
 /** Where the mark of a joint is: the body that carries it, and its place in the world at t. */
 const jointsAt = (page, t) =>
@@ -115,6 +123,66 @@ test("joints are drawn where the library has them, all along the motion", async 
   const [middle, ...more] = await coloursFrom(page, ...(await pixelOf(page, pin.x, pin.y)), 7);
   assert.ok(middle > 740, "white within the ring");
   assert.ok(Math.min(...more) < 250, "and the dark ring around it");
+  assert.deepEqual(page.problems, []);
+  await page.close();
+});
+
+const drag = async (page, from, to, steps = 8) => {
+  await page.mouse.move(...(await pixelOf(page, ...from)));
+  await page.mouse.down();
+  await page.mouse.move(...(await pixelOf(page, ...to)), { steps });
+  await page.mouse.up();
+  await settled(page);
+};
+
+test("a link is dragged, and the linkage follows", async () => {
+  const page = await playground("mechanisms/crank_rocker");
+  assert.equal(await shownTime(page), 0);
+  // The middle of the crank, on the way to where a crank at 70 degrees has it; not quite on its circle.
+  const at = (degrees, radius) => {
+    const angle = ((90 + degrees) * Math.PI) / 180;
+    return [radius * Math.cos(angle), radius * Math.sin(angle)];
+  };
+  await drag(page, at(0, 9), at(35, 11));
+  await drag(page, at(35, 9), at(70, 12));
+  const t = await shownTime(page);
+  const pixel = await page.evaluate(() => 1 / window.taut.stage.camera.scale);
+  assert.ok(Math.abs(t - 70) < ((pixel / 9) * 180) / Math.PI, `t = ${t}`);
+  assert.equal(await page.$eval("#body", (e) => e.selectedOptions[0].textContent), "crank", "it is the one chosen");
+  await screenshot(page, "playground-dragged-link");
+  // Others lead the crank as well: the pin C at the rocker's end, to where it is at 120.
+  const before = (await jointsAt(page, t))[2];
+  const after = (await jointsAt(page, 120))[2];
+  await drag(page, [before.x, before.y], [after.x, after.y], 12);
+  const led = await shownTime(page);
+  const now = (await jointsAt(page, led))[2];
+  assert.ok(Math.hypot(now.x - after.x, now.y - after.y) < 1.5 * pixel, `C at t = ${led}`);
+  assert.ok(Math.abs(led - 120) < 3, `and on the same way: t = ${led}`);
+  // Not beyond the contact.
+  await drag(page, at(led, 9), at(265, 9), 20);
+  assert.equal(await shownTime(page), check(fileOf("crank_rocker")).t[0]);
+  // The ground is no link: dragging it moves the view.
+  const centre = () => page.evaluate(() => window.taut.stage.camera.world(0, 0));
+  const view = await centre();
+  await drag(page, [30, -3], [40, -3]);
+  assert.notDeepEqual(await centre(), view);
+  assert.equal(await shownTime(page), check(fileOf("crank_rocker")).t[0]);
+  assert.deepEqual(page.problems, []);
+  await page.close();
+});
+
+test("a link has no keyframes of its own, and joints follow its new name", async () => {
+  const page = await playground("mechanisms/jansen");
+  await page.selectOption("#body", { label: "crank" });
+  assert.match(await page.textContent("#keyframes"), /Joints move this body/);
+  await page.click("#mode-keyframes");
+  await page.fill("#name", "driver");
+  await page.press("#name", "Enter");
+  await settled(page);
+  assert.equal(await page.textContent("#headline"), "Free, of what was tested");
+  const { mechanism } = await page.evaluate(() => window.playground.state.scene);
+  assert.deepEqual(mechanism.joints.O.revolute, ["frame", "driver"]);
+  await screenshot(page, "playground-jansen");
   assert.deepEqual(page.problems, []);
   await page.close();
 });
