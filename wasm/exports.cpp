@@ -207,13 +207,12 @@ EMSCRIPTEN_KEEPALIVE const char* taut_read_outline(const char* text, const char*
 }
 
 /// {"scene": the scene, or null if there are faults, "report": see report_json(), "picture": see report_svg()} of a
-/// drawing, whose format its name tells. `open`: see drawing::OpenRings.
-EMSCRIPTEN_KEEPALIVE const char* taut_read_drawing(const char* text, const char* name, int open) {
+/// drawing, whose format its name tells. `open`: see drawing::OpenRings; `crossing`: see drawing::Crossing.
+EMSCRIPTEN_KEEPALIVE const char* taut_read_drawing(const char* text, const char* name, int open, int crossing) {
   return answered([&](Scene& scene) {
     drawing::ImportSettings settings;
     settings.open = static_cast<drawing::OpenRings>(open);
-    // The page shows the notes of the report.
-    settings.crossing = drawing::Crossing::parts;
+    settings.crossing = static_cast<drawing::Crossing>(crossing);
     const drawing::Import import = drawing::examine_drawings({drawing::read_drawing(text, name, settings)}, settings);
     if (import.faults.empty()) {
       scene = import.scene;

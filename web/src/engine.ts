@@ -203,6 +203,13 @@ export interface Pose {
 }
 
 export type OpenRings = "error" | "close" | "skip";
+/** What becomes of closed contours of a drawing that cross. */
+export type Crossing = "error" | "subtract" | "union" | "parts";
+/** What a person says about a drawing that can be read in two ways. */
+export interface Decisions {
+  open: OpenRings;
+  crossing: Crossing;
+}
 
 /** What became of a drawing, as `taut import --json` prints it. */
 export interface DrawingReport {
@@ -238,7 +245,7 @@ interface Module {
   _free(pointer: number): void;
   _taut_read_scene(text: number, name: number): number;
   _taut_read_outline(text: number, name: number): number;
-  _taut_read_drawing(text: number, name: number, open: number): number;
+  _taut_read_drawing(text: number, name: number, open: number, crossing: number): number;
   _taut_shapes(text: number): number;
   _taut_open(text: number, name: number, closed: number): number;
   _taut_ask(question: number, text: number, options: number): number;
@@ -279,10 +286,13 @@ export class Engine {
     return this.call<{ parts: Part[] }>([text, name], (t, n) => this.module._taut_read_outline(t, n)).parts;
   }
 
-  /** A drawing as a scene, with the report; outlines that stay open are a fault, or are closed, or left out. */
-  readDrawing(text: string, name: string, open: OpenRings): ReadDrawing {
-    const number = { error: 0, close: 1, skip: 2 }[open];
-    const drawing = this.call<ReadDrawing>([text, name], (t, n) => this.module._taut_read_drawing(t, n, number));
+  /** A drawing as a scene, with the report. What is not decided, and matters, is a fault. */
+  readDrawing(text: string, name: string, { open, crossing }: Decisions): ReadDrawing {
+    const ends = { error: 0, close: 1, skip: 2 }[open];
+    const contours = { error: 0, parts: 1, union: 2, subtract: 3 }[crossing];
+    const drawing = this.call<ReadDrawing>([text, name], (t, n) =>
+      this.module._taut_read_drawing(t, n, ends, contours),
+    );
     return { ...drawing, scene: drawing.scene && inParts(drawing.scene) };
   }
 

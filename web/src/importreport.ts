@@ -1,7 +1,19 @@
 // What was read of a drawing, and what a person should look at: beside the scene that it became.
 import { h } from "./dom";
-import type { DrawingReport, OpenRings, ReadDrawing } from "./engine";
+import type { Decisions, DrawingReport, ReadDrawing } from "./engine";
 import { roundText } from "./words";
+
+/** What a person may decide, and what its button says. */
+type Choice = [Partial<Decisions>, string];
+const openChoices: Choice[] = [
+  [{ open: "close" }, "Close them by straight lines"],
+  [{ open: "skip" }, "Leave them out"],
+];
+const crossingChoices: Choice[] = [
+  [{ crossing: "subtract" }, "Cut the smaller one out"],
+  [{ crossing: "union" }, "One part of both"],
+  [{ crossing: "parts" }, "All lines are cuts"],
+];
 
 /** Longer lists are cut: the command has all. */
 const mostNamed = 50;
@@ -13,7 +25,7 @@ export class ImportReport {
   private whole = "";
 
   /** `again`: reads the drawing anew. */
-  constructor(private readonly again: (open: OpenRings) => void) {}
+  constructor(private readonly again: (decided: Partial<Decisions>) => void) {}
 
   hide(): void {
     this.element.classList.add("hidden");
@@ -22,13 +34,18 @@ export class ImportReport {
   show(name: string, drawing: ReadDrawing): void {
     const { report, picture } = drawing;
     const file = report.files[0];
-    const open = report.faults.length > 0 && file?.open.length > 0;
+    const asks = (option: string): boolean => report.faults.some(({ hint }) => hint.includes(option));
+    const crossing = asks("--crossing");
+    const open = asks("--open") && file?.open.length > 0;
     this.element.classList.remove("hidden");
     this.element.replaceChildren(
       h("h2", {}, name),
-      // What to do about open lines are buttons.
-      ...report.faults.map(({ problem, hint }) => h("p", { class: "fault" }, open ? problem : `${problem}: ${hint}`)),
-      ...(open ? [this.decisions()] : []),
+      // What can be done about open lines, and about contours that cross, are buttons.
+      ...report.faults.map(({ problem, hint }) =>
+        h("p", { class: "fault" }, open || crossing ? problem : `${problem}: ${hint}`),
+      ),
+      ...(open ? [this.decisions(openChoices)] : []),
+      ...(crossing ? [this.decisions(crossingChoices)] : []),
       ...(file ? [h("p", {}, `${file.format}, units: ${file.units}`)] : []),
       this.pictureOf(picture),
       ...bodiesOf(report),
@@ -37,10 +54,12 @@ export class ImportReport {
     );
   }
 
-  private decisions(): HTMLElement {
-    const button = (open: OpenRings, label: string): HTMLElement =>
-      h("button", { type: "button", id: `import-${open}`, onclick: () => this.again(open) }, label);
-    return h("p", {}, button("close", "Close them by straight lines"), " ", button("skip", "Leave them out"));
+  private decisions(choices: Choice[]): HTMLElement {
+    const button = ([decided, label]: Choice): HTMLElement => {
+      const id = `import-${Object.values(decided)[0]}`;
+      return h("button", { type: "button", id, onclick: () => this.again(decided) }, label);
+    };
+    return h("p", {}, ...choices.flatMap((choice) => [button(choice), " "]));
   }
 
   private pictureOf(picture: string): HTMLElement {

@@ -3,7 +3,7 @@ import { Changes, type Base } from "./changes";
 import { h } from "./dom";
 import { Editor } from "./editing";
 import { EditPanel, modeOfKey } from "./editpanel";
-import { Engine, type OpenRings, type Part, type Pose, type Scene } from "./engine";
+import { type Decisions, Engine, type Part, type Pose, type Scene } from "./engine";
 import { FaultMessage, culprits } from "./faultmessage";
 import type { Mode } from "./handles";
 import { History } from "./history";
@@ -20,6 +20,7 @@ import { WorldEditing } from "./worldediting";
 import { roundText } from "./words";
 
 const firstExample = "lid";
+const undecided: Decisions = { open: "error", crossing: "error" };
 
 class Playground {
   private readonly workbench: Workbench;
@@ -32,9 +33,9 @@ class Playground {
   private readonly history: History;
   private readonly changes: Changes;
   private readonly worldEditing: WorldEditing;
-  private readonly report = new ImportReport((open) => this.readAgain(open));
+  private readonly report = new ImportReport((decided) => this.readAgain(decided));
   /** The drawing that was read last. */
-  private drawing = { text: "", name: "" };
+  private drawing = { text: "", name: "", decided: undecided };
   /** The last scene that could be opened, for plan changes and undoing. */
   private valid!: Scene;
 
@@ -298,7 +299,7 @@ class Playground {
     const { engine } = this.player;
     const title = name.replace(/\.[^.]*$/, "");
     if (/\.(svg|dxf|kicad_pcb)$/i.test(name)) {
-      this.openDrawing({ text, name }, "error");
+      this.openDrawing({ text, name }, undecided);
     } else if (/"taut-scene\//.test(text)) {
       this.load(engine.readScene(text, name), title);
     } else {
@@ -309,18 +310,18 @@ class Playground {
   }
 
   /** The drawing becomes the scene, unless it can be read in two ways: the report says so, and asks. */
-  private openDrawing(source: { text: string; name: string }, open: OpenRings): void {
+  private openDrawing(source: { text: string; name: string }, decided: Decisions): void {
     const { text, name } = source;
-    const drawing = this.player.engine.readDrawing(text, name, open);
+    const drawing = this.player.engine.readDrawing(text, name, decided);
     if (drawing.scene) this.load(drawing.scene, name.replace(/\.[^.]*$/, ""));
-    this.drawing = source;
+    this.drawing = { ...source, decided };
     this.report.show(name, drawing);
   }
 
-  /** The last drawing once more, with the answer to what the report asks. */
-  private readAgain(open: OpenRings): void {
+  /** The last drawing once more, with an answer to what the report asks, and those that were given before. */
+  private readAgain(more: Partial<Decisions>): void {
     try {
-      this.openDrawing(this.drawing, open);
+      this.openDrawing(this.drawing, { ...this.drawing.decided, ...more });
     } catch (error) {
       this.refuse(error, notOpened(this.drawing.name));
     }

@@ -612,3 +612,21 @@ test("an outline that stays open is asked about", async () => {
   assert.match(await report(page), /plate: area 1521.67, 40 x 40, parts: 1, holes: 1/);
   await page.close();
 });
+
+test("contours that cross are asked about, and answers are kept", async () => {
+  const page = await open();
+  const slotted = drawing("0.5").replace(
+    '<circle cx="20"',
+    '<rect x="35" y="10" width="10" height="4"/><circle cx="20"',
+  );
+  await page.setInputFiles("#file", asFile("slotted.svg", slotted));
+  await page.waitForSelector("#import-close");
+  await page.click("#import-close");
+  await page.waitForSelector("#import-subtract");
+  assert.match(await report(page), /crosses that at/);
+  await screenshot(page, "crossing-drawing");
+  await page.click("#import-subtract");
+  await page.waitForFunction(() => window.playground.state.scene.bodies[0].name === "plate");
+  assert.match(await report(page), /plate: area 1501.67, 40 x 40, parts: 1, holes: 1/);
+  await page.close();
+});
