@@ -24,7 +24,8 @@ class Follower {
     path.last = first;
     // A path of length 0 has a cell as well.
     double length = to - from;
-    const double least = length * 0x1p-42;
+    // Shorter ones, as near a dead point, might not move a time in doubles on.
+    const double least = std::max(length * 0x1p-42, std::max(std::fabs(from), std::fabs(to)) * 0x1p-50);
     while (path.until < to || path.cells.empty()) {
       checkpoint();
       const double end = length >= to - path.until ? to : path.until + length;
@@ -36,7 +37,7 @@ class Follower {
         path.until = end;
       }
       length = (end - (cell ? path.cells.back().from : path.until)) * factor;
-      if (!cell && !(length > least)) {
+      if (path.until < to && !(length > least)) {
         path.singular = true;
         return path;
       }

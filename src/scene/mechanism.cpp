@@ -81,7 +81,7 @@ class Assembly {
     double from = scene_.start;
     for (std::size_t k = 0; k < ends.size(); ++k) {
       LoopPath path = follow(equations_, k, from, ends[k], values);
-      if (path.singular) return lock(k, std::move(path));
+      if (path.singular) return lock(k, ends[k], std::move(path));
       values = std::move(path.last);
       cells_[k] = std::move(path.cells);
       from = ends[k];
@@ -139,9 +139,12 @@ class Assembly {
         "draw it in a pose from which the drives' beginning can be reached");
   }
 
-  void lock(std::size_t piece, LoopPath path) {
+  void lock(std::size_t piece, double piece_end, LoopPath path) {
     const double asked_end = scene_.end;
-    const auto dead = dead_point_after(equations_, piece, path);
+    if (path.cells.empty() && piece == 0) fail_beginning(path);
+    auto dead = dead_point_after(equations_, piece, path);
+    // Where the drives turn back before, it is no dead point of the motion.
+    if (dead && piece_end < asked_end && !(dead->time[1] <= piece_end)) dead.reset();
     if (!dead) {
       scene_.lock = MechanismLock{{path.until, asked_end}, MechanismLock::Kind::undecided, {}, {}};
       std::vector<double> values;
@@ -152,7 +155,6 @@ class Assembly {
         scene_.lock->kind = MechanismLock::Kind::change_point;
       }
     }
-    const bool at_end = dead && dead->time[1] >= asked_end;
     if (dead && dead->time[0] <= asked_end) {
       MechanismLock found;
       found.time = dead->time;
@@ -161,21 +163,35 @@ class Assembly {
       name(loose_parts(equations_, piece, dead->time[0], values), found);
       scene_.lock = found;
     }
-    if (at_end) {
-      // Up to the end, or to the lock if it comes first, only the values are enclosed.
-      LoopCell rest{path.until, asked_end, path.until + (asked_end - path.until) / 2, asked_end - path.until, true, {},
-                    {},         {}};
-      for (const Ball<double>& x : dead->values) {
-        rest.c.push_back({x.mid});
-        rest.error.push_back(x.rad);
-        rest.tube.push_back(0);
-      }
-      path.cells.push_back(std::move(rest));
+    if (dead && dead->time[1] >= asked_end) {
+      path.cells.push_back(up_to_lock(*dead, path.until));
     } else {
       scene_.end = path.until;
     }
-    cells_[piece] = std::move(path.cells);
-    cells_.resize(piece + 1);
+    if (!path.cells.empty()) cells_[piece++] = std::move(path.cells);
+    cells_.resize(piece);
+  }
+
+  /// Up to the end, or to the lock if it comes first, only the values are enclosed.
+  LoopCell up_to_lock(const DeadPoint& dead, double from) const {
+    const double to = scene_.end;
+    LoopCell rest{from, to, from + (to - from) / 2, to - from, true, {}, {}, {}};
+    for (const Ball<double>& x : dead.values) {
+      rest.c.push_back({x.mid});
+      rest.error.push_back(x.rad);
+      rest.tube.push_back(0);
+    }
+    return rest;
+  }
+
+  [[noreturn]] void fail_beginning(const LoopPath& path) const {
+    std::vector<double> values;
+    for (const Ball<double>& x : path.last) values.push_back(x.mid);
+    throw InputError("mechanism",
+                     fmt::format("where the drives begin, it cannot be followed: with the driven joints held, {} could "
+                                 "still move, or nearly so",
+                                 joint_list(loose_parts(equations_, 0, path.until, values))),
+                     "let the drives begin where no two links are in line, and the time last longer than 1e-250");
   }
 
   void name(const LooseParts& loose, MechanismLock& lock) const {

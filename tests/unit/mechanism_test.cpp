@@ -1,4 +1,8 @@
 // Mechanisms from JSON, and their errors.
+#include <array>
+#include <cmath>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "taut/check.hpp"
@@ -131,6 +135,72 @@ TEST(MechanismFile, RefusesQuestionsBeforeItIsAssembled) {
   scene.assembly = nullptr;
   EXPECT_THROW(check(scene), InputError);
   EXPECT_EQ(check(assembled(scene)).outcome, check(parse_scene(four_bar())).outcome);
+}
+
+/// A toggle that is driven by its ram: two links of length sqrt(544), in line where the ram is at 6.64761515876...
+Scene toggle(double start, double end, const std::vector<std::array<double, 2>>& keyframes) {
+  Scene scene = parse_scene(R"({"format":"taut-scene/1","time":[0,1],"bodies":[
+    {"name":"frame","polygon":[[-14,44],[14,44],[14,50],[-14,50]],"z":[0,2]},
+    {"name":"upper","polygon":[[-1,40],[11,19],[13,21],[1,41]],"z":[2,4]},
+    {"name":"lower","polygon":[[-1,0],[1,0],[13,20],[11,21]],"z":[4,6]},
+    {"name":"ram","polygon":[[-8,-20],[8,-20],[8,2],[-8,2]],"z":[2,4]}],
+   "mechanism":{"ground":"frame","joints":{
+    "A":{"revolute":["frame","upper"],"at":[0,40]},
+    "B":{"revolute":["upper","lower"],"at":[12,20]},
+    "C":{"revolute":["lower","ram"],"at":[0,0]},
+    "S":{"slide":["frame","ram"],"direction":[0,-1]}},
+   "drive":{"S":{"from":0,"to":0}}}})");
+  Scene out;
+  out.start = start;
+  out.end = end;
+  out.bodies = scene.bodies;
+  for (Body& body : out.bodies) {
+    body.motion = {};
+    body.relative_to.clear();
+  }
+  out.mechanism = scene.mechanism;
+  Drive& drive = out.mechanism->drives.front();
+  drive.pieces.clear();
+  for (std::size_t k = 1; k < keyframes.size(); ++k) {
+    Drive::Piece piece;
+    piece.line = {keyframes[k - 1][0], keyframes[k - 1][1], keyframes[k][0], keyframes[k][1]};
+    if (k + 1 < keyframes.size()) piece.until = keyframes[k][0];
+    drive.pieces.push_back(piece);
+  }
+  return assembled(std::move(out));
+}
+const double straight = 2 * std::sqrt(544.0) - 40;
+
+TEST(MechanismLock, IsFoundAtTimesFarFrom0) {
+  for (const double from : {1e6, 1.7e9, 1e12}) {
+    const Scene scene = toggle(from, from + 1, {{from, 0}, {from + 1, 10}});
+    ASSERT_TRUE(scene.lock) << from;
+    EXPECT_LE(scene.lock->time[0], from + straight / 10) << from;
+    EXPECT_GE(scene.lock->time[1], from + straight / 10) << from;
+  }
+}
+
+TEST(MechanismLock, IsNotBehindTheTurnOfADrive) {
+  // The links come nearly in line, and go back.
+  for (const double gap : {4e-13, 2e-12, 1e-11}) {
+    const Scene scene = toggle(0, 2, {{0, 0}, {1, straight - gap}, {2, 0}});
+    EXPECT_TRUE(!scene.lock || scene.lock->kind == MechanismLock::Kind::undecided) << gap;
+  }
+}
+
+TEST(MechanismLock, AtTheBeginningIsAnError) {
+  for (const double gap : {0.0, 1e-13, 1e-12, 1e-11, 1e-10}) {
+    for (const double to : {0.0, 10.0})
+      EXPECT_THROW(toggle(0, 1, {{0, straight - gap}, {1, to}}), InputError) << gap << " " << to;
+  }
+  EXPECT_THROW(toggle(0, 1e-300, {{0, 0}, {1e-300, 5}}), InputError);
+}
+
+TEST(MechanismLock, AtAKeyframeEndsTheMotionThere) {
+  const Scene scene = toggle(0, 2, {{0, 0}, {1, straight - 1e-8}, {2, 1e15}});
+  ASSERT_TRUE(scene.lock);
+  EXPECT_EQ(scene.end, 1);
+  EXPECT_EQ(check(scene).outcome, Outcome::undecided);
 }
 
 }  // namespace
