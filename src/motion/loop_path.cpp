@@ -3,6 +3,7 @@
 
 #include "motion/joint_functions.hpp"
 #include "numeric/budget.hpp"
+#include "taut/error.hpp"
 
 namespace taut::internal {
 namespace {
@@ -28,6 +29,11 @@ class Follower {
     const double least = std::max(length * 0x1p-42, std::max(std::fabs(from), std::fabs(to)) * 0x1p-50);
     while (path.until < to || path.cells.empty()) {
       checkpoint();
+      if (path.cells.size() * curve_.size() > most_values)
+        throw InputError(
+            "mechanism",
+            "its motion is too long: some thousand turns, or as many changes of direction, can be followed",
+            "ask about a shorter time");
       const double end = length >= to - path.until ? to : path.until + length;
       double factor = 0.5;
       const auto cell = try_cell(path, path.until, end, factor);
@@ -46,6 +52,8 @@ class Follower {
   }
 
  private:
+  /// Of unknowns in all cells of a path: some 40 MB, and as many seconds.
+  static constexpr std::size_t most_values = std::size_t{1} << 18;
   /// How small the error has to be, as a share of an unknown's weight: one rounding of an angle of a radian.
   static constexpr double fine = 0x1p-46;
 

@@ -56,6 +56,7 @@ TEST(MechanismFile, NamesWhatIsWrong) {
   expect_error(R"("name":"rocker",)", R"("name":"rocker","relative_to":"base",)", "`relative_to` of its own");
   expect_error(R"({"A":{"from_deg":0,"to_deg":360}})", R"({"A":[{"t":0,"deg":0},{"t":0.5,"deg":90}]})", "do not cover");
   expect_error(R"({"A":{"from_deg":0,"to_deg":360}})", R"({"A":[{"t":0,"deg":0},{"t":0,"deg":90}]})", "not later");
+  expect_error(R"("to_deg":360)", R"("to_deg":1e9)", "too long");
   expect_error(R"("drive":)", R"("couple":[{"joint":"D","to":"A","plus":3}],"drive":)", "this must be 0");
   expect_error(R"("drive":)", R"("couple":[{"joint":"A","to":"D"}],"drive":)", "driven and coupled");
 }
@@ -159,31 +160,31 @@ Scene toggle(double start, double end, const std::vector<std::array<double, 2>>&
     body.relative_to.clear();
   }
   out.mechanism = scene.mechanism;
-  Drive& drive = out.mechanism->drives.front();
+  taut::Drive& drive = out.mechanism->drives.front();
   drive.pieces.clear();
   for (std::size_t k = 1; k < keyframes.size(); ++k) {
-    Drive::Piece piece;
+    taut::Drive::Piece piece;
     piece.line = {keyframes[k - 1][0], keyframes[k - 1][1], keyframes[k][0], keyframes[k][1]};
     if (k + 1 < keyframes.size()) piece.until = keyframes[k][0];
     drive.pieces.push_back(piece);
   }
   return assembled(std::move(out));
 }
-const double straight = 2 * std::sqrt(544.0) - 40;
+const double in_line_at = 2 * std::sqrt(544.0) - 40;
 
 TEST(MechanismLock, IsFoundAtTimesFarFrom0) {
   for (const double from : {1e6, 1.7e9, 1e12}) {
     const Scene scene = toggle(from, from + 1, {{from, 0}, {from + 1, 10}});
     ASSERT_TRUE(scene.lock) << from;
-    EXPECT_LE(scene.lock->time[0], from + straight / 10) << from;
-    EXPECT_GE(scene.lock->time[1], from + straight / 10) << from;
+    EXPECT_LE(scene.lock->time[0], from + in_line_at / 10) << from;
+    EXPECT_GE(scene.lock->time[1], from + in_line_at / 10) << from;
   }
 }
 
 TEST(MechanismLock, IsNotBehindTheTurnOfADrive) {
   // The links come nearly in line, and go back.
   for (const double gap : {4e-13, 2e-12, 1e-11}) {
-    const Scene scene = toggle(0, 2, {{0, 0}, {1, straight - gap}, {2, 0}});
+    const Scene scene = toggle(0, 2, {{0, 0}, {1, in_line_at - gap}, {2, 0}});
     EXPECT_TRUE(!scene.lock || scene.lock->kind == MechanismLock::Kind::undecided) << gap;
   }
 }
@@ -191,13 +192,13 @@ TEST(MechanismLock, IsNotBehindTheTurnOfADrive) {
 TEST(MechanismLock, AtTheBeginningIsAnError) {
   for (const double gap : {0.0, 1e-13, 1e-12, 1e-11, 1e-10}) {
     for (const double to : {0.0, 10.0})
-      EXPECT_THROW(toggle(0, 1, {{0, straight - gap}, {1, to}}), InputError) << gap << " " << to;
+      EXPECT_THROW(toggle(0, 1, {{0, in_line_at - gap}, {1, to}}), InputError) << gap << " " << to;
   }
   EXPECT_THROW(toggle(0, 1e-300, {{0, 0}, {1e-300, 5}}), InputError);
 }
 
 TEST(MechanismLock, AtAKeyframeEndsTheMotionThere) {
-  const Scene scene = toggle(0, 2, {{0, 0}, {1, straight - 1e-8}, {2, 1e15}});
+  const Scene scene = toggle(0, 2, {{0, 0}, {1, in_line_at - 1e-8}, {2, 1e15}});
   ASSERT_TRUE(scene.lock);
   EXPECT_EQ(scene.end, 1);
   EXPECT_EQ(check(scene).outcome, Outcome::undecided);
