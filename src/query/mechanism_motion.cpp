@@ -74,10 +74,10 @@ class LeastValue {
       // The ends have been sampled.
       if (slope.sign() != 0) continue;
       const double middle = a + (b - a) / 2;
-      const Ball<double> by_slope =
-          function_(piece, Ball<double>::exact(middle)).c[0] + slope * Ball<double>(0, (b - a) / 2);
-      const double least = std::max(over.c[0].lower(), by_slope.lower());
-      const bool settled = least >= found_.hi - tolerance_;
+      const Ball<double> there = function_(piece, Ball<double>::exact(middle)).c[0];
+      const double least = std::max(over.c[0].lower(), (there + slope * Ball<double>(0, (b - a) / 2)).lower());
+      // Shorter times do not make values more certain than those at an instant.
+      const bool settled = least >= found_.hi - std::max(tolerance_, 8 * there.rad);
       if (settled || !(a < middle && middle < b)) {
         lowest_ = std::min(lowest_, least);
         continue;
@@ -172,9 +172,13 @@ class MotionOfJoints {
     JointRange out{joint.name, joint.first, joint.second, joint.kind == MechanismJoint::Kind::slide, {}, {}};
     const Function function = [&](std::size_t piece, const Ball<double>& t) { return value(j, piece, t); };
     double size = out.slides ? 0 : 1;
-    for (std::size_t k = 0; k + 1 < borders_.size(); ++k)
-      size = std::max({size, value(j, k, Ball<double>::exact(borders_[k])).c[0].magnitude(),
-                       value(j, k, Ball<double>::exact(borders_[k + 1])).c[0].magnitude()});
+    for (std::size_t k = 0; k + 1 < borders_.size(); ++k) {
+      // Also between the ends, where a slide may be back at 0.
+      for (int i = 0; i <= 8; ++i) {
+        const double t = i == 8 ? borders_[k + 1] : borders_[k] + (borders_[k + 1] - borders_[k]) * i / 8;
+        size = std::max(size, value(j, k, Ball<double>::exact(t)).c[0].magnitude());
+      }
+    }
     out.least = least(function, size);
     out.greatest = greatest(function, size);
     return out;

@@ -9,6 +9,7 @@
 #include "taut/error.hpp"
 #include "taut/intervals.hpp"
 #include "taut/io.hpp"
+#include "taut/mechanism_motion.hpp"
 #include "taut/pose.hpp"
 
 namespace taut::testing {
@@ -202,6 +203,27 @@ TEST(MechanismLock, AtAKeyframeEndsTheMotionThere) {
   ASSERT_TRUE(scene.lock);
   EXPECT_EQ(scene.end, 1);
   EXPECT_EQ(check(scene).outcome, Outcome::undecided);
+}
+
+/// A slide that is back at 0 at the end of a turn, and joints that rest.
+TEST(MechanismMotion, FindsRangesOfSlidesThatReturn) {
+  const std::string text = R"({"format":"taut-scene/1","time":[0,360],"bodies":[
+    {"name":"base","polygon":[[-5,-9],[60,-9],[60,-8],[-5,-8]]},{"name":"crank","polygon":[[0,-1],[10,-1],[10,1]]},
+    {"name":"rod","polygon":[[10,-1],[40,-1],[40,1]]},{"name":"piston","polygon":[[38,-3],[44,-3],[44,3]]}],
+   "mechanism":{"ground":"base","joints":{
+    "A":{"revolute":["base","crank"],"at":[0,0]},"B":{"revolute":["crank","rod"],"at":[10,0]},
+    "C":{"revolute":["rod","piston"],"at":[40,0]},"S":{"slide":["base","piston"],"direction":[1,0]}},
+   "drive":{"A":{"deg":[0,1]}}}})";
+  const MechanismMotion turn = mechanism_motion(parse_scene(text));
+  EXPECT_NEAR(turn.joints[3].least.lo, -20, 1e-6);
+  EXPECT_NEAR(turn.joints[3].greatest.hi, 0, 1e-6);
+  std::string resting = text;
+  const std::string drive = R"("deg":[0,1])";
+  resting.replace(resting.find(drive), drive.size(), R"("deg":[0])");
+  for (const JointRange& joint : mechanism_motion(parse_scene(resting)).joints) {
+    EXPECT_NEAR(joint.least.lo, 0, 1e-9);
+    EXPECT_NEAR(joint.greatest.hi, 0, 1e-9);
+  }
 }
 
 }  // namespace
