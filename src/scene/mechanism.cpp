@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "numeric/budget.hpp"
+#include "scene/validate_scene.hpp"
 #include "taut/error.hpp"
 
 namespace taut::internal {
@@ -16,6 +17,7 @@ class Assembly {
   explicit Assembly(Scene scene) : scene_(std::move(scene)) {}
 
   Scene run() {
+    validate_time(scene_);
     tree_ = joint_tree(scene_);
     TimedEquations timed = loop_equations(scene_, tree_);
     mobility_ = mobility_of(*scene_.mechanism, tree_);

@@ -205,6 +205,8 @@ TEST(MechanismLock, AtAKeyframeEndsTheMotionThere) {
   EXPECT_EQ(check(scene).outcome, Outcome::undecided);
 }
 
+TEST(MechanismFile, HasATimeInOrder) { expect_error(R"("time":[0,1])", R"("time":[1,0])", "ends before it starts"); }
+
 /// A slide that is back at 0 at the end of a turn, and joints that rest.
 TEST(MechanismMotion, FindsRangesOfSlidesThatReturn) {
   const std::string text = R"({"format":"taut-scene/1","time":[0,360],"bodies":[
