@@ -42,6 +42,16 @@ Series<Real, N> widened(const std::array<Ball<Real>, Size>& c, double radius) {
   return out;
 }
 
+/// The polynomial of an unknown, at any precision: neighbouring doubles may be far apart as times, and as values.
+template <class Real>
+Ball<Real> polynomial_at(const LoopCell& cell, std::size_t unknown, const Real& t) {
+  using B = Ball<Real>;
+  const B place = (B(t, 0.0) - B::exact(cell.middle)) / B::exact(cell.radius);
+  B sum = B::exact(0);
+  for (std::size_t k = LoopCell::order + 1; k-- > 0;) sum = sum * place + B::exact(cell.c[unknown][k]);
+  return sum;
+}
+
 template <int N>
 Series<double, N> hull(const Series<double, N>& a, const Series<double, N>& b) {
   auto out = Series<double, N>::of_terms(N + 1);
@@ -164,10 +174,9 @@ std::optional<std::vector<Series<Real, N>>> JointFunctions::solved(std::size_t p
   const auto values = solve_at<Real>(curve, about, t, *inverse, weights);
   if (!values) return std::nullopt;
   // The solution that was found is the one in the tube. The cell may end up to a rounding before t.
-  const Balls<double> rounded = in_doubles(*values);
   for (std::size_t i = 0; i < curve.size(); ++i) {
-    const double off = (rounded[i] - Ball<double>::exact(cell.approximate(i, near))).magnitude();
-    if (!(off < cell.tube[i] / 2)) return std::nullopt;
+    const Ball<double> off = detail::in_doubles((*values)[i] - polynomial_at<Real>(cell, i, t));
+    if (!(off.magnitude() < cell.tube[i])) return std::nullopt;
   }
   return series_of<Real, N>(curve, *values, Ball<Real>(t, 0.0), *inverse, weights);
 }

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "motion/joint_value.hpp"
+#include "scene/mechanism.hpp"
 #include "taut/check.hpp"
 #include "taut/error.hpp"
 #include "taut/intervals.hpp"
@@ -225,6 +227,17 @@ TEST(MechanismMotion, FindsRangesOfSlidesThatReturn) {
   for (const JointRange& joint : mechanism_motion(parse_scene(resting)).joints) {
     EXPECT_NEAR(joint.least.lo, 0, 1e-9);
     EXPECT_NEAR(joint.greatest.hi, 0, 1e-9);
+  }
+}
+
+TEST(MechanismMotion, IsKnownBetweenTheDoublesOfTimesFarFrom0) {
+  using namespace internal;
+  const Scene scene = parse_scene(four_bar(R"("time":[0,1])", R"("time":[1700000000,1700000001])"));
+  const JointFunctions& functions = *scene.assembly->functions;
+  const Ball<Real960> t(Real960(1700000000.5) + Real960(0x1p-24), 0.0);
+  for (std::size_t k = 0; k < functions.equations().joints.size(); ++k) {
+    const auto value = joint_value<Series<Real960, 0>>(functions, k, 0, t);
+    EXPECT_LT(value.c[0].rad, 1e-200) << k;
   }
 }
 
