@@ -103,12 +103,13 @@ class DiscSeries {
     const double rounding = (order + 4) * 0x1p-53 * way;
     const double lack =
         start.sin.rad + start.cos.rad + cut_off(slope, co, share) + cut_off(slope, si, share) + rounding * (ns + nc);
-    const double from_error = a.error < 0.5 ? 1.3 * a.error * (ns + nc) : std::numeric_limits<double>::infinity();
+    const double grown = way < 16 ? lack * exponential_above(way) : std::numeric_limits<double>::infinity();
+    // |sin w| + |cos w - 1| is at most 1.3 |w|; the sine and the cosine themselves may be larger than their series.
+    const double from_error =
+        a.error < 0.5 ? 1.3 * a.error * (ns + nc + 2 * grown) : std::numeric_limits<double>::infinity();
     sine = si;
     cosine = co;
-    sine.error = cosine.error =
-        way < 16 ? (lack * exponential_above(way) + from_error * (1 + lack)) * (1 + 0x1p-40) + underflow_slack
-                 : std::numeric_limits<double>::infinity();
+    sine.error = cosine.error = (grown + from_error) * (1 + 0x1p-40) + underflow_slack;
   }
 
  private:

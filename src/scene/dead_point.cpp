@@ -94,6 +94,8 @@ class DeadPointSearch {
     std::vector<double> radii = e.closure(wrong);
     for (std::size_t i = 0; i < n; ++i) radii[i] = std::min(2 * radii[i], tube[i].rad);
     const std::vector<double> inner = e.times(radii);
+    // The path's end is on the curve at some parameter, which has to be one of these.
+    if (!(path_.last[p].lower() >= lo && path_.last[p].upper() <= hi)) return std::nullopt;
     for (std::size_t i = 0; i < n; ++i) {
       tube[i].rad = radii[i];
       if (!(wrong[i] + inner[i] < radii[i])) return std::nullopt;
