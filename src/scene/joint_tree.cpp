@@ -1,9 +1,11 @@
 // The tree of a mechanism's joints, and its mobility.
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <set>
 
+#include "geometry/predicates.hpp"
 #include "scene/mechanism.hpp"
 #include "taut/error.hpp"
 
@@ -43,6 +45,7 @@ class TreeBuilder {
       ends_.push_back({body_named(joint.first, joint_place(joint)), body_named(joint.second, joint_place(joint))});
       if (joint.first == joint.second)
         throw InputError(joint_place(joint), "it joins \"" + joint.first + "\" to itself", "name two bodies");
+      require_usual_size(joint);
       if (joint.kind == MechanismJoint::Kind::slide && joint.direction == Point{})
         throw InputError(joint_place(joint), "its direction has no length", "write the direction in which it slides");
     }
@@ -72,6 +75,15 @@ class TreeBuilder {
     const auto found = names_.find(name);
     if (found != names_.end()) return found->second;
     throw InputError(place, "there is no body \"" + name + "\"", "write the name of a body of the scene");
+  }
+
+  /// As for coordinates of outlines.
+  static void require_usual_size(const MechanismJoint& joint) {
+    for (const double x : {joint.at.x, joint.at.y, joint.direction.x, joint.direction.y}) {
+      if (in_range(x)) continue;
+      throw InputError(joint_place(joint), "it has a number that is not 0 or of magnitude between 2^-400 and 2^400",
+                       "choose another unit of length");
+    }
   }
 
   /// Driven and coupled joints are in the tree if possible, since their values are known; then slides, along which

@@ -207,6 +207,12 @@ TEST(MechanismLock, AtAKeyframeEndsTheMotionThere) {
   EXPECT_EQ(check(scene).outcome, Outcome::undecided);
 }
 
+TEST(MechanismFile, HasJointsOfUsualSize) {
+  expect_error(R"("at":[35,20])", R"("at":[1e200,20])", "between 2^-400 and 2^400");
+  expect_error(R"({"revolute":["crank","coupler"],"at":[10,0]})",
+               R"({"slide":["crank","coupler"],"direction":[0,1e300]})", "between 2^-400 and 2^400");
+}
+
 TEST(MechanismFile, HasATimeInOrder) { expect_error(R"("time":[0,1])", R"("time":[1,0])", "ends before it starts"); }
 
 /// A slide that is back at 0 at the end of a turn, and joints that rest.
