@@ -33,7 +33,9 @@ class DeadPointSearch {
     const auto turning = turning_point(y, first);
     if (!turning || !((*turning - first) * speed > 0)) return std::nullopt;
     // As far beyond the turning point as the start is before it, and a little more.
-    const double before = first - (*turning - first) * 0x1p-3, beyond = *turning + (*turning - first);
+    const double beyond = *turning + (*turning - first);
+    const double room = std::max(std::fabs(*turning - first) * 0x1p-3, 2 * path_.last[p].rad);
+    const double before = first - std::copysign(room, *turning - first);
     return prove(std::move(y), first, *turning, std::min(before, beyond), std::max(before, beyond));
   }
 
