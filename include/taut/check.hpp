@@ -22,7 +22,7 @@ enum class Outcome {
   overlap_at_start,  ///< the bodies overlap already at the start
   undecided,         ///< a stated limit was hit; nothing is claimed beyond `Answer::free_until`
   untested,          ///< no pair of bodies was tested, so there is no verdict; `reason` says why
-  locked,            ///< no collision, up to where a mechanism locks: Scene::lock
+  locked,            ///< no collision before `Answer::free_until`, right before a mechanism locks: Scene::lock
   closer_at_start,   ///< of check_clearance(): no bodies overlap, and two are closer than the clearance at the start
 };
 

@@ -125,13 +125,13 @@ class Coverage:
 class Answer(Verdict):
     """What check() found out. str() says it in words; there is no truth value: see ``free`` and ``outcome``.
 
-    ``outcome``: "free", "contact", "overlap_at_start", "undecided", or "untested": no pair of bodies was tested, so there
-    is no verdict. "free" and "contact" are proved, of the pairs that ``coverage`` counts as tested or apart.
+    ``outcome``: "free", "contact", "overlap_at_start", "undecided", "locked" (free up to right before a mechanism locks), or
+    "untested": no pair of bodies was tested, so there is no verdict. "free" and "contact" are proved, of the pairs that ``coverage`` counts as tested or apart.
     ``contact``: the first contact, if the outcome is "contact".
     ``touching``: of a "free" answer with open touching, where the bodies touch for the first time without overlapping.
     ``touching_undecided``: why that is not known, if it is not.
     ``overlap_point``: of "overlap_at_start", a point that certainly lies inside both bodies, where one was found.
-    ``free_until``, ``reason``: of "undecided", up to when the motion is proved free, and which limit was hit; ``reason``
+    ``free_until``, ``reason``: of "undecided", and of "locked" (see ``lock``), up to when the motion is proved free, and which limit was hit; ``reason``
     also says why nothing was tested.
     ``pair``: the names of the bodies that the outcome is about, unless it is "free" or "untested".
     ``also``: pairs whose first contacts come so close to this one that their order is not told.

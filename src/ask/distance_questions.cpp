@@ -104,7 +104,8 @@ std::string margin_json(const Scene& scene, double clearance, const MarginAnswer
     }
     write_margins(json, "also", answer.also);
     write_margins(json, "pairs", answer.pairs);
-    if (answer.outcome == Outcome::undecided) json.member("free_until", answer.free_until);
+    if (answer.outcome == Outcome::undecided || answer.outcome == Outcome::locked)
+      json.member("free_until", answer.free_until);
     json.reason(answer.reason);
     json.grounds(answer.geometry, answer.coverage);
     json.scope(touch);

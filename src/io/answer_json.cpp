@@ -50,7 +50,8 @@ void write_answer(AnswerWriter& json, const Answer& answer, Touch touch) {
   }
   if (!answer.touching_undecided.empty()) json.member("touching_undecided", answer.touching_undecided);
   if (answer.overlap_point) json.key("overlap").object([&] { json.member("point", *answer.overlap_point); });
-  if (answer.outcome == Outcome::undecided) json.member("free_until", answer.free_until);
+  if (answer.outcome == Outcome::undecided || answer.outcome == Outcome::locked)
+    json.member("free_until", answer.free_until);
   json.reason(answer.reason);
   write_pairs(json, answer);
   write_effort(json, answer);

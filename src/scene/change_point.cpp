@@ -4,6 +4,7 @@
 // There the motion could go on with crossed bars as well, and no bound in numbers can show that: it is known from the
 // bars' vectors, which are compared exactly.
 #include <algorithm>
+#include <cmath>
 
 #include "numeric/exact_sum.hpp"
 #include "scene/mechanism.hpp"
@@ -137,7 +138,9 @@ std::optional<std::array<double, 2>> change_point_after(const LoopEquations& equ
   if (!bars) return std::nullopt;
   const auto& p = bars->pins;
   if (!are_parallel(p[0], p[1], p[2], p[3])) return std::nullopt;
-  return ChangePointSearch(equations, piece, *bars).find(from, end);
+  const auto found = ChangePointSearch(equations, piece, *bars).find(from, end);
+  // Where following has ended long before, it was for another reason.
+  return found && (*found)[0] - from <= 0x1p-16 * (end - from) + 0x1p-40 * std::fabs(end) ? found : std::nullopt;
 }
 
 }  // namespace taut::internal

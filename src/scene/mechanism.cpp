@@ -99,7 +99,8 @@ class Assembly {
     const auto inverse = newton(curve, about, 0);
     if (inverse && solve_at<double>(curve, zero, 0, *inverse, weights_of(drawn))) return;
     throw InputError("mechanism",
-                     fmt::format("the drawn pose is a dead point: with the driven joints held, {} could still move",
+                     fmt::format("the drawn pose is a dead point, or too near to one for doubles: with the driven "
+                                 "joints held, {} could still move",
                                  joint_list(loose_parts(drawn, 0, 0, zero))),
                      "draw it in a pose in which no two links are in line, or drive another joint");
   }

@@ -122,7 +122,7 @@ export type Bracket = [number, number];
 /** The names of two bodies, in the order of the scene. */
 export type Pair = [string, string];
 export type Touch = "open" | "closed";
-/** "untested": no pair of bodies was tested, so there is no verdict. "locked": free up to where a mechanism locks. */
+/** "untested": no pair of bodies was tested, so there is no verdict. "locked": free before `free_until`, right before a mechanism locks. */
 export type Outcome = "free" | "contact" | "overlap_at_start" | "undecided" | "untested" | "locked";
 
 /** Where a mechanism cannot go on as it is driven. */
