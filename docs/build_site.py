@@ -132,7 +132,9 @@ def python_reference():
 
 
 def npm_reference():
-    with open(os.path.join(root, "packaging/npm/src/taut.d.ts")) as file:
+    """The package's types; of one that was not built (`./dev npm`), those of the answers only."""
+    built, answers = (os.path.join(root, path) for path in ("build/npm/dist/taut.d.ts", "packaging/npm/src/answers.d.ts"))
+    with open(built if os.path.isfile(built) else answers) as file:
         types = file.read()
     write("docs/npm-reference.md", "# npm reference\n\nThe types of the package. [The npm package](npm.md) is the guide.\n\n"
           "```ts\n%s```\n" % types)
