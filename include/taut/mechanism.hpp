@@ -13,6 +13,7 @@ namespace taut {
 /// Two bodies that turn about a common point or slide along each other. All places are those of the drawn pose, the one
 /// in which the bodies are given; there, every joint has the value 0.
 struct MechanismJoint {
+  /// How the two bodies can move against each other.
   enum class Kind {
     revolute,  ///< the second body turns about `at`; the value is the angle in degrees, counterclockwise
     slide,     ///< the second body slides along `direction`; the value is a length in the scene's units
@@ -54,6 +55,7 @@ struct Mechanism {
 
 /// Where a mechanism cannot go on as its drives say, or not in one way only.
 struct MechanismLock {
+  /// Why it cannot go on.
   enum class Kind {
     dead_point,    ///< the driven joints turn back: two links are in line
     change_point,  ///< the motion could go on in more than one way

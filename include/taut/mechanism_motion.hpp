@@ -34,6 +34,7 @@ struct TransmissionAngle {
 
 /// What mechanism_motion() found out, from the start of the scene's time to its end, or to a lock.
 struct MechanismMotion {
+  /// How far the motion goes.
   enum class Outcome {
     moves,      ///< to the end of the time
     locked,     ///< before: see `lock`
@@ -54,6 +55,7 @@ struct MechanismMotion {
 /// "moves", "locked", "undecided".
 const char* to_string(MechanismMotion::Outcome outcome);
 
+/// How to ask mechanism_motion().
 struct MechanismOptions {
   std::size_t instants = 0;  ///< evenly over the time, both ends included; 0, or 2 to 1,000,000
   Limits limits = {};
