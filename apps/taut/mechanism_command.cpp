@@ -36,7 +36,7 @@ std::string in_words(const Scene& scene, const MechanismMotion& answer) {
   std::string text = fmt::format("{}  on [{}, {}]   mobility {}, {} loop{}\n", word, scene.start, scene.end,
                                  answer.mobility, answer.loops, answer.loops == 1 ? "" : "s");
   if (!answer.reason.empty()) text += "  " + answer.reason + "\n";
-  text += grounds_text(scene, Coverage{1, 1});
+  text += lock_text(scene);
   for (const JointRange& joint : answer.joints)
     text += fmt::format("  {:<12} {} x {}: {}\n", joint.joint, joint.first, joint.second,
                         range_text(joint.least, joint.greatest, joint.slides ? "" : " deg"));

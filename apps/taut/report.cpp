@@ -126,18 +126,21 @@ std::string seconds_text(double seconds) {
   return fmt::format("{:.3g} s", seconds);
 }
 
-std::string grounds_text(const Scene& scene, const Coverage& coverage) {
-  std::string text = coverage_text(coverage);
-  if (!scene.lock || scene.lock->kind == MechanismLock::Kind::undecided) return text;
+std::string lock_text(const Scene& scene) {
+  if (!scene.lock || scene.lock->kind == MechanismLock::Kind::undecided) return "";
   const MechanismLock& lock = *scene.lock;
   const auto list = [](const std::vector<std::string>& names) {
     std::string s;
     for (const std::string& name : names) s += (s.empty() ? "" : ", ") + name;
     return s;
   };
-  text += fmt::format("  the mechanism locks at t = {} ({}): {} in line", time_text({lock.time[0], lock.time[1]}),
-                      to_string(lock.kind), list(lock.links));
+  const std::string text = fmt::format("  the mechanism locks at t = {} ({}): {} in line",
+                                       time_text({lock.time[0], lock.time[1]}), to_string(lock.kind), list(lock.links));
   return text + (lock.joints.empty() ? "\n" : fmt::format("; free to move there: {}\n", list(lock.joints)));
+}
+
+std::string grounds_text(const Scene& scene, const Coverage& coverage) {
+  return coverage_text(coverage) + lock_text(scene);
 }
 
 std::string report(const Scene& scene, const Answer& answer, Touch touch) {

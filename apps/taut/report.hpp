@@ -13,6 +13,8 @@ std::string instant_text(const Scene& scene, double t);
 /// The digits on which both ends of an interval agree: "0.104166...".
 std::string time_text(const TimeInterval& time);
 
+/// Where the scene's mechanism locks, in a line; empty if it does not.
+std::string lock_text(const Scene& scene);
 /// What an answer is about: the pairs, and where a mechanism locks. Reports have it after their first line.
 std::string grounds_text(const Scene& scene, const Coverage& coverage);
 

@@ -54,6 +54,8 @@ CurvedWorld::CurvedWorld(const Scene& scene) : scene_(scene) {
 
 Scene CurvedWorld::polygons(CurveSide side) const {
   Scene flat = scene_;
+  // What a lock makes of an answer is said of the bodies themselves.
+  flat.lock.reset();
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     if (parts_[i].empty()) continue;
     Body& body = flat.bodies[i];

@@ -11,12 +11,11 @@ namespace {
 class EquationBuilder {
  public:
   EquationBuilder(const Scene& scene, const JointTree& tree)
-      : scene_(scene), mechanism_(*scene.mechanism), tree_(tree), closes_(mechanism_.joints.size()) {
+      : scene_(scene), mechanism_(*scene.mechanism), tree_(tree) {
     for (std::size_t k = 0; k < mechanism_.joints.size(); ++k) {
       if (!mechanism_.joints[k].shared) joints_.emplace(mechanism_.joints[k].name, static_cast<int>(k));
       if (mechanism_.joints[k].shared) shared_.insert({mechanism_.joints[k].name, static_cast<int>(k)});
     }
-    for (const int k : tree.closures) closes_[static_cast<std::size_t>(k)] = true;
     for (std::size_t i = 0; i < mechanism_.drives.size(); ++i) {
       const int joint = joint_named(mechanism_.drives[i].joint, "mechanism: drive");
       if (!drives_.emplace(joint, static_cast<int>(i)).second)
@@ -128,7 +127,6 @@ class EquationBuilder {
   const Scene& scene_;
   const Mechanism& mechanism_;
   const JointTree& tree_;
-  std::vector<bool> closes_;
   std::map<std::string, int> joints_, shared_;
   std::map<int, int> drives_, couplings_;  ///< by joint
   std::map<int, int> unknown_of_;

@@ -121,6 +121,18 @@ TEST(MechanismFile, KeepsTheTimeOfASceneThatLocks) {
   EXPECT_EQ(answer.free_until, scene.end);
 }
 
+/// Polygons stand for the curves, and the lock is said of the bodies themselves.
+TEST(MechanismFile, LocksWithCurves) {
+  std::string text = four_bar(R"({"A":{"from_deg":0,"to_deg":360}})", R"({"D":{"from_deg":0,"to_deg":120}})");
+  const std::string base = R"("polygon":[[-5,-9],[45,-9],[45,-6],[-5,-6]],"z":[-1,0])";
+  text.replace(text.find(base), base.size(), R"("polygon":{"path":"M-5 -9 H45 V-6 A25 1 0 0 1 -5 -6 Z"},"z":[2,3])");
+  const Scene scene = parse_scene(text);
+  ASSERT_TRUE(scene.lock);
+  const Answer answer = check(scene);
+  EXPECT_EQ(answer.outcome, Outcome::locked) << answer.reason;
+  EXPECT_EQ(answer.free_until, scene.end);
+}
+
 /// In the drawn pose all bodies are where they are drawn.
 TEST(MechanismFile, BeginsAsDrawn) {
   for (const BodyPose& pose : poses_at(parse_scene(four_bar()), 0)) {
