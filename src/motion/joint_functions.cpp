@@ -109,22 +109,40 @@ double LoopCell::approximate(std::size_t unknown, double t) const {
   return sum;
 }
 
-std::vector<double> weights_of(const LoopEquations& equations) {
-  std::vector<double> weights(static_cast<std::size_t>(equations.unknowns), 1);
+namespace {
+
+/// 1 for degrees, and a share of the mechanism's extent for what slides follow.
+std::vector<double> weights(const LoopEquations& equations, int count, std::vector<LinearForm::Term> LinearForm::*of) {
+  std::vector<double> out(static_cast<std::size_t>(count), 1);
   double extent = 0;
-  for (const auto& joint : equations.joints) extent = std::max({extent, std::fabs(joint.at.x), std::fabs(joint.at.y)});
-  for (const auto& closure : equations.closures)
-    extent = std::max({extent, std::fabs(closure.at.x), std::fabs(closure.at.y)});
+  for (const auto& joint : equations.joints) extent = std::max(extent, joint.at.extent());
+  for (const auto& closure : equations.closures) extent = std::max(extent, closure.at.extent());
+  if (extent == 0) return out;
+  const auto add_length = [&](const LinearForm& form) {
+    for (const LinearForm::Term& term : form.*of) out[static_cast<std::size_t>(term.of)] = extent / 64;
+  };
   for (const auto& joint : equations.joints) {
-    // An unknown that is itself the value of a slide is a length.
-    if (!joint.slide || extent == 0) continue;
-    for (const auto& term : joint.value.unknowns) weights[static_cast<std::size_t>(term.of)] = extent / 64;
+    if (joint.slide) add_length(joint.value);
   }
-  return weights;
+  for (const auto& closure : equations.closures) {
+    if (closure.slide && closure.value) add_length(*closure.value);
+  }
+  return out;
 }
 
-JointFunctions::JointFunctions(LoopEquations equations, std::vector<std::vector<LoopCell>> cells)
-    : equations_(std::move(equations)), cells_(std::move(cells)) {
+}  // namespace
+
+std::vector<double> weights_of(const LoopEquations& equations) {
+  return weights(equations, equations.unknowns, &LinearForm::unknowns);
+}
+
+std::vector<double> weights_of_drives(const LoopEquations& equations) {
+  return weights(equations, static_cast<int>(equations.drives.size()), &LinearForm::drives);
+}
+
+JointFunctions::JointFunctions(LoopEquations equations, std::vector<std::vector<LoopCell>> cells,
+                               std::optional<double> drawn_at)
+    : equations_(std::move(equations)), cells_(std::move(cells)), drawn_at_(drawn_at) {
   static std::atomic<std::uint64_t> next{1};
   id_ = next++;
 }
@@ -181,8 +199,21 @@ std::optional<std::vector<Series<Real, N>>> JointFunctions::solved(std::size_t p
   return series_of<Real, N>(curve, *values, Ball<Real>(t, 0.0), *inverse, weights);
 }
 
+/// In the drawn pose the unknowns are 0, exactly: what coincides there coincides.
+template <class Real, int N>
+std::optional<std::vector<Series<Real, N>>> JointFunctions::drawn(std::size_t piece, const Ball<Real>& t) const {
+  if (piece != 0 || !drawn_at_ || t.rad != 0 || t.mid != Real(*drawn_at_)) return std::nullopt;
+  const LoopCurve curve{equations_, piece, equations_.unknowns};
+  std::vector<double> about(curve.size());
+  const auto inverse = newton(curve, about, *drawn_at_);
+  if (!inverse) return std::nullopt;
+  return series_of<Real, N>(curve, Balls<Real>(curve.size(), Ball<Real>::exact(0)), t, *inverse,
+                            weights_of(equations_));
+}
+
 template <class Real, int N>
 std::vector<Series<Real, N>> JointFunctions::unknowns(std::size_t piece, const Ball<Real>& t) const {
+  if (auto exactly = drawn<Real, N>(piece, t)) return std::move(*exactly);
   if constexpr (std::is_same_v<Real, double>) {
     return enclosed<N>(piece, t);
   } else {
@@ -237,6 +268,16 @@ const std::vector<Series<Real, N>>& JointFunctions::all_values(std::size_t piece
   return entry.values;
 }
 
+template <class Real, int N>
+Series<Real, N> JointFunctions::value_of_joint(std::size_t joint, std::size_t piece, const Ball<Real>& t) const {
+  const std::vector<Series<Real, N>>& values = all_values<Real, N>(piece, t);
+  if (joint < values.size()) return values[joint];
+  const LoopEquations::Closure& closure = equations_.closure(joint);
+  // Angles are sums.
+  if (!closure.slide) return closing_value(equations_, LinkPoses<Series<Real, N>>{values, {}}, closure);
+  return closing_value(equations_, link_poses(equations_, values), closure);
+}
+
 template <class J>
 J JointFunctions::value(std::size_t joint, std::size_t piece, const Ball<typename J::Number>& given) const {
   using Real = typename J::Number;
@@ -259,12 +300,12 @@ J JointFunctions::value(std::size_t joint, std::size_t piece, const Ball<typenam
     }
   }
   if constexpr (requires(J j) { j.v; }) {
-    const Series<Real, 2>& s = all_values<Real, 2>(piece, t)[joint];
+    const Series<Real, 2> s = value_of_joint<Real, 2>(joint, piece, t);
     const auto c = [&](int k) { return k < s.terms ? s.c[static_cast<std::size_t>(k)] : Ball<Real>::exact(0); };
     return J{c(0), c(1), c(2) * 2.0};
   } else {
     constexpr int n = static_cast<int>(std::tuple_size_v<decltype(J::c)>) - 1;
-    return all_values<Real, n>(piece, t)[joint];
+    return value_of_joint<Real, n>(joint, piece, t);
   }
 }
 

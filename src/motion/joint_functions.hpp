@@ -38,39 +38,47 @@ struct LoopPath {
   Balls<double> last;  ///< the unknowns there
 };
 
-/// The sizes of changes of the unknowns that matter equally.
+/// The sizes of changes of the unknowns that matter equally: a degree, and about as much for a slide.
 std::vector<double> weights_of(const LoopEquations& equations);
+/// Of the drives.
+std::vector<double> weights_of_drives(const LoopEquations& equations);
 
 /// Follows the one solution that is within `first` at `from`, with the drives of a piece.
 LoopPath follow(const LoopEquations& equations, std::size_t piece, double from, double to, const Balls<double>& first);
 
 class JointFunctions {
  public:
-  /// The cells of each piece of the drives, in order of time.
-  JointFunctions(LoopEquations equations, std::vector<std::vector<LoopCell>> cells);
+  /// The cells of each piece of the drives, in order of time. At `drawn_at`, at which the first piece begins, the pose
+  /// is the drawn one.
+  JointFunctions(LoopEquations equations, std::vector<std::vector<LoopCell>> cells, std::optional<double> drawn_at);
 
   const LoopEquations& equations() const { return equations_; }
   std::size_t pieces() const { return cells_.size(); }
   const std::vector<LoopCell>& cells(std::size_t piece) const { return cells_[piece]; }
 
-  /// The value of a joint of the tree over the ball t, with coefficients of its Taylor series. Of times outside of the
-  /// piece, only those within it count.
+  /// The value of a joint, by its number in the equations, over the ball t, with coefficients
+  /// of its Taylor series. Of times outside of the piece, only those within it count.
   template <class J>
   J value(std::size_t joint, std::size_t piece, const Ball<typename J::Number>& t) const;
 
  private:
+  template <class Real, int N>
+  Series<Real, N> value_of_joint(std::size_t joint, std::size_t piece, const Ball<Real>& t) const;
   template <class Real, int N>
   const std::vector<Series<Real, N>>& all_values(std::size_t piece, const Ball<Real>& t) const;
   template <class Real, int N>
   std::vector<Series<Real, N>> unknowns(std::size_t piece, const Ball<Real>& t) const;
   template <class Real, int N>
   std::optional<std::vector<Series<Real, N>>> solved(std::size_t piece, const Real& t) const;
+  template <class Real, int N>
+  std::optional<std::vector<Series<Real, N>>> drawn(std::size_t piece, const Ball<Real>& t) const;
   template <int N>
   std::vector<Series<double, N>> enclosed(std::size_t piece, const Ball<double>& t) const;
   const LoopCell& cell_at(std::size_t piece, double t) const;
 
   LoopEquations equations_;
   std::vector<std::vector<LoopCell>> cells_;
+  std::optional<double> drawn_at_;
   std::uint64_t id_;
 };
 

@@ -13,6 +13,7 @@
 #include "motion/degrees.hpp"
 #include "motion/pose.hpp"
 #include "numeric/dyadic.hpp"
+#include "numeric/exact_sum.hpp"
 #include "numeric/series.hpp"
 #include "taut/mechanism.hpp"
 
@@ -48,33 +49,67 @@ class LinearForm {
   }
 };
 
+/// A point of the drawing as seen from the equations' origin: a difference of doubles, exactly.
+struct LocalPoint {
+  TwoDoubles x{0, 0}, y{0, 0};
+
+  LocalPoint() = default;
+  LocalPoint(const Point& at, const Point& origin) : x(two_sum(at.x, -origin.x)), y(two_sum(at.y, -origin.y)) {}
+  template <class Real>
+  std::array<Ball<Real>, 2> as() const {
+    const auto exactly = [](const TwoDoubles& sum) {
+      if constexpr (std::is_same_v<Real, double>) {
+        return Ball<double>(sum.hi, std::fabs(sum.lo));
+      } else {
+        return Ball<Real>(Real(sum.hi) + Real(sum.lo), 0.0);
+      }
+    };
+    return {exactly(x), exactly(y)};
+  }
+  /// How far it is from the origin, about.
+  double extent() const { return std::max(std::fabs(x.hi), std::fabs(y.hi)); }
+  friend bool operator==(const LocalPoint& a, const LocalPoint& b) {
+    return a.x.hi == b.x.hi && a.x.lo == b.x.lo && a.y.hi == b.y.hi && a.y.lo == b.y.lo;
+  }
+};
+
+/// Everything is seen from an origin at one of the joints, as a drawing may be far from 0.
 struct LoopEquations {
   /// A joint of the tree, and the link that it carries.
   struct TreeJoint {
     int parent = -1;  ///< the joint that carries the other body; -1: the ground does
     bool slide = false;
-    Point at, direction;  ///< in the drawn pose
-    double sign = 1;      ///< -1: the link is the joint's first body
+    LocalPoint at;  ///< of a slide, any point
+    Point direction;
+    double sign = 1;  ///< -1: the link is the joint's first body
     LinearForm value;
   };
   /// A joint that closes a loop, between the links that two joints of the tree carry; -1 stands for the ground.
   struct Closure {
     int first = -1, second = -1;
     bool slide = false;
-    Point at, direction;
+    LocalPoint at;
+    Point pivot, direction;           ///< as drawn
     std::optional<LinearForm> value;  ///< given if the joint is driven or coupled
     int equations() const { return value ? 3 : 2; }
   };
   std::vector<TreeJoint> joints;  ///< parents first
   std::vector<Closure> closures;
+  /// Joints that follow from others: of links on one pin.
+  std::vector<Closure> implied;
   std::vector<Drive> drives;
   int unknowns = 0;
 
+  /// A joint by its number: first those of the tree, then the closures, then implied ones.
+  const Closure& closure(std::size_t joint) const {
+    const std::size_t k = joint - joints.size();
+    return k < closures.size() ? closures[k] : implied[k - closures.size()];
+  }
   /// As many as unknowns in a mechanism that moves as its drives say.
   int equations() const;
 };
 
-/// Where all links are, for some values of the unknowns.
+/// Where all links are, as seen from the origin of the equations, for some values of the unknowns.
 template <class J>
 struct LinkPoses {
   std::vector<J> values;      ///< of the joints of the tree
@@ -83,7 +118,7 @@ struct LinkPoses {
 
 /// The motion of a joint with this value.
 template <class J>
-PoseOf<J> joint_pose(bool slide, const Point& at, const Point& direction, const J& value) {
+PoseOf<J> joint_pose(bool slide, const LocalPoint& at, const Point& direction, const J& value) {
   using Real = typename J::Number;
   if (slide) {
     const J way = value * (Ball<Real>::exact(1) / length_of_direction<Real>(direction));
@@ -93,7 +128,7 @@ PoseOf<J> joint_pose(bool slide, const Point& at, const Point& direction, const 
   PoseOf<J> p;
   sin_cos_degrees(value, p.xy, p.xx);
   const J versine = J::constant(1.0) - p.xx;
-  const Ball<Real> x = Ball<Real>::exact(at.x), y = Ball<Real>::exact(at.y);
+  const auto [x, y] = at.template as<Real>();
   p.ox = versine * x + p.xy * y;
   p.oy = versine * y - p.xy * x;
   return p;
@@ -106,9 +141,8 @@ PoseOf<J> resting_pose_of() {
 
 /// Where a pose puts a point.
 template <class J>
-std::array<J, 2> placed_point(const PoseOf<J>& p, const Point& at) {
-  using Real = typename J::Number;
-  const Ball<Real> x = Ball<Real>::exact(at.x), y = Ball<Real>::exact(at.y);
+std::array<J, 2> placed_point(const PoseOf<J>& p, const LocalPoint& at) {
+  const auto [x, y] = at.template as<typename J::Number>();
   return {p.ox + (p.xx * x - p.xy * y), p.oy + (p.xy * x + p.xx * y)};
 }
 
@@ -159,17 +193,25 @@ J drive_rate(const Drive::Piece& piece, const J& t) {
 }
 
 template <class J>
-LinkPoses<J> link_poses(const LoopEquations& equations, const std::vector<J>& unknowns, const std::vector<J>& drives) {
-  LinkPoses<J> links;
-  links.values.reserve(equations.joints.size());
+LinkPoses<J> link_poses(const LoopEquations& equations, std::vector<J> values) {
+  LinkPoses<J> links{std::move(values), {}};
   links.of.reserve(equations.joints.size());
-  for (const LoopEquations::TreeJoint& joint : equations.joints) {
-    links.values.push_back(value_of(joint.value, unknowns, drives));
-    const J& value = links.values.back();
+  for (std::size_t k = 0; k < equations.joints.size(); ++k) {
+    const LoopEquations::TreeJoint& joint = equations.joints[k];
+    const J& value = links.values[k];
     const PoseOf<J> own = joint_pose(joint.slide, joint.at, joint.direction, joint.sign < 0 ? -value : value);
     links.of.push_back(joint.parent < 0 ? own : compose(links.of[static_cast<std::size_t>(joint.parent)], own));
   }
   return links;
+}
+
+template <class J>
+LinkPoses<J> link_poses(const LoopEquations& equations, const std::vector<J>& unknowns, const std::vector<J>& drives) {
+  std::vector<J> values;
+  values.reserve(equations.joints.size());
+  for (const LoopEquations::TreeJoint& joint : equations.joints)
+    values.push_back(value_of(joint.value, unknowns, drives));
+  return link_poses(equations, std::move(values));
 }
 
 /// Calls visit(joint) for each joint between a link and the ground.
@@ -194,6 +236,19 @@ J angle_of(const LoopEquations& equations, const LinkPoses<J>& links, int link) 
 template <class J>
 PoseOf<J> pose_of_link(const LinkPoses<J>& links, int link) {
   return link < 0 ? resting_pose_of<J>() : links.of[static_cast<std::size_t>(link)];
+}
+
+/// The value of a joint that is not in the tree.
+template <class J>
+J closing_value(const LoopEquations& equations, const LinkPoses<J>& links, const LoopEquations::Closure& closure) {
+  using Real = typename J::Number;
+  if (!closure.slide) return angle_of(equations, links, closure.second) - angle_of(equations, links, closure.first);
+  const PoseOf<J> a = pose_of_link(links, closure.first), b = pose_of_link(links, closure.second);
+  const auto p = placed_point(a, closure.at), q = placed_point(b, closure.at);
+  const Ball<Real> dx = Ball<Real>::exact(closure.direction.x), dy = Ball<Real>::exact(closure.direction.y);
+  const J ex = a.xx * dx - a.xy * dy, ey = a.xy * dx + a.xx * dy;
+  return (ex * (q[0] - p[0]) + ey * (q[1] - p[1])) *
+         (Ball<Real>::exact(1) / length_of_direction<Real>(closure.direction));
 }
 
 /// F: zero where the loops are closed.

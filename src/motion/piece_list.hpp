@@ -39,6 +39,8 @@ class PieceList {
   bool same_at(std::size_t a, std::size_t b) const;
   /// Does the body rest at its own coordinates all the time?
   bool rests() const;
+  /// Does it follow a joint of a mechanism?
+  bool follows_joint() const { return !empty() && packed_->places.front().form == Form::joint; }
 
  private:
   enum class Form : std::uint8_t { none, angle, direction, half_angle, cosine, joint };

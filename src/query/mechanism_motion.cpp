@@ -129,15 +129,10 @@ class MotionOfJoints {
   const std::vector<MechanismJoint>& joints() const { return scene_.mechanism->joints; }
 
   LinkPoses<Rate> poses(std::size_t piece, const Ball<double>& t) const {
-    LinkPoses<Rate> links;
-    for (std::size_t k = 0; k < equations().joints.size(); ++k) {
-      const LoopEquations::TreeJoint& joint = equations().joints[k];
-      links.values.push_back(joint_value<Rate>(functions_, k, piece, t));
-      const Rate& value = links.values.back();
-      const PoseOf<Rate> own = joint_pose(joint.slide, joint.at, joint.direction, joint.sign < 0 ? -value : value);
-      links.of.push_back(joint.parent < 0 ? own : compose(links.of[static_cast<std::size_t>(joint.parent)], own));
-    }
-    return links;
+    std::vector<Rate> values;
+    for (std::size_t k = 0; k < equations().joints.size(); ++k)
+      values.push_back(joint_value<Rate>(functions_, k, piece, t));
+    return link_poses(equations(), std::move(values));
   }
 
   /// A joint of the mechanism, in the tree or not.
@@ -148,15 +143,7 @@ class MotionOfJoints {
     }
     const auto& closing = assembly_.tree.closures;
     const auto found = std::find(closing.begin(), closing.end(), static_cast<int>(joint));
-    const LoopEquations::Closure& closure = equations().closures[static_cast<std::size_t>(found - closing.begin())];
-    const LinkPoses<Rate> at = poses(piece, t);
-    if (!closure.slide) return angle_of(equations(), at, closure.second) - angle_of(equations(), at, closure.first);
-    const PoseOf<Rate> a = pose_of_link(at, closure.first), b = pose_of_link(at, closure.second);
-    const auto p = placed_point(a, closure.at), q = placed_point(b, closure.at);
-    const Ball<double> dx = Ball<double>::exact(closure.direction.x), dy = Ball<double>::exact(closure.direction.y);
-    const Rate ex = a.xx * dx - a.xy * dy, ey = a.xy * dx + a.xx * dy;
-    return (ex * (q[0] - p[0]) + ey * (q[1] - p[1])) *
-           (Ball<double>::exact(1) / length_of_direction<double>(closure.direction));
+    return joint_value<Rate>(functions_, links.size() + static_cast<std::size_t>(found - closing.begin()), piece, t);
   }
 
   Extreme least(const Function& function, double size) const {
@@ -185,7 +172,7 @@ class MotionOfJoints {
   }
 
   /// The pin next to a closing pin on one side of its loop.
-  std::optional<Point> next_pin(int link, int other) const {
+  std::optional<LocalPoint> next_pin(int link, int other) const {
     std::vector<int> path, others;
     for_each_joint_on_path(equations(), link, [&](int k) { path.push_back(k); });
     for_each_joint_on_path(equations(), other, [&](int k) { others.push_back(k); });
@@ -201,7 +188,7 @@ class MotionOfJoints {
     if (closure.slide || !p || !q || *p == closure.at || *q == closure.at) return std::nullopt;
     const Function sine = [&](std::size_t piece, const Ball<double>& t) {
       const LinkPoses<Rate> at = poses(piece, t);
-      const auto axis = [&](int link, const Point& pin) {
+      const auto axis = [&](int link, const LocalPoint& pin) {
         const PoseOf<Rate> pose = pose_of_link(at, link);
         const auto a = placed_point(pose, closure.at), b = placed_point(pose, pin);
         return std::array{b[0] - a[0], b[1] - a[1]};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "motion/across_joint.hpp"
 #include "numeric/budget.hpp"
 #include "taut/error.hpp"
 
@@ -29,10 +30,15 @@ BodyPair pair_of(const SharedRings& first, const MotionChain& first_motions, con
                  const MotionChain& second_motions) {
   const bool swap = second->diameter_squared() > first->diameter_squared();
   const MotionChain &p = swap ? second_motions : first_motions, &q = swap ? first_motions : second_motions;
-  const std::size_t common = count_common(p, q);
   BodyPair bodies;
   bodies.exponent = first->exponent();
   bodies.rings = {swap ? second : first, swap ? first : second};
+  if (auto seen = across_joint(p, q)) {
+    bodies.motions = {without_first(seen->p, 0), without_first(seen->q, 0)};
+    bodies.common = std::move(seen->frame);
+    return bodies;
+  }
+  const std::size_t common = count_common(p, q);
   bodies.motions = {without_first(p, common), without_first(q, common)};
   bodies.common.assign(p.begin(), p.begin() + static_cast<std::ptrdiff_t>(common));
   return bodies;

@@ -23,8 +23,9 @@ struct BodyPair {
   /// Of P and of Q: the motions of their parents, the outermost first, and their own, without the common ones. One that
   /// rests if there are no others.
   std::array<MotionChain, 2> motions;
-  /// The parents' motions that both chains begin with. Segments are seen from the last of them, since it decides
-  /// nothing; what is reported is put back into the world by them (FeatureMap).
+  /// The parents' motions that both chains begin with, or P's, where a joint shows how Q moves from there. Segments are
+  /// seen from the last of them, since it decides nothing; what is reported is put back into the world by them
+  /// (FeatureMap).
   MotionChain common;
   int exponent = 0;
 

@@ -13,17 +13,25 @@ namespace taut::internal {
 namespace {
 
 /// Is a - b the same vector as d - c, exactly?
-bool are_parallel(const Point& a, const Point& b, const Point& c, const Point& d) {
-  const auto same = [](double p, double q, double r, double s) {
-    const TwoDoubles x = two_sum(p, -q), y = two_sum(s, -r);
-    return x.hi == y.hi && x.lo == y.lo;
+bool are_parallel(const LocalPoint& a, const LocalPoint& b, const LocalPoint& c, const LocalPoint& d) {
+  const auto same = [&](TwoDoubles LocalPoint::*of) {
+    ExactSum<8> sum;
+    for (const LocalPoint* p : {&a, &c}) {
+      sum.add((p->*of).hi);
+      sum.add((p->*of).lo);
+    }
+    for (const LocalPoint* p : {&b, &d}) {
+      sum.add(-(p->*of).hi);
+      sum.add(-(p->*of).lo);
+    }
+    return sum.sign() == 0;
   };
-  return same(a.x, b.x, c.x, d.x) && same(a.y, b.y, c.y, d.y);
+  return same(&LocalPoint::x) && same(&LocalPoint::y);
 }
 
 /// A loop of four pins in order, and which of them is driven.
 struct FourBar {
-  std::array<Point, 4> pins;
+  std::array<LocalPoint, 4> pins;
   int driven = -1;
   const LoopEquations::TreeJoint* joint = nullptr;
   bool carries_next = false;  ///< the joint carries the bar to the next pin
@@ -90,11 +98,11 @@ class ChangePointSearch {
   /// Of the two bars at the driven pin.
   Moving cross(const Ball<double>& t) const {
     const auto at = [&](int k) { return bars_.pins[static_cast<std::size_t>(k & 3)]; };
-    const Point pin = at(bars_.driven), next = at(bars_.driven + 1), last = at(bars_.driven + 3);
-    const Point &turning = bars_.carries_next ? next : last, &other = bars_.carries_next ? last : next;
-    const auto vector = [&](const Point& p) {
-      return std::array{Moving::constant(Ball<double>::exact(p.x) - Ball<double>::exact(pin.x)),
-                        Moving::constant(Ball<double>::exact(p.y) - Ball<double>::exact(pin.y))};
+    const LocalPoint pin = at(bars_.driven), next = at(bars_.driven + 1), last = at(bars_.driven + 3);
+    const LocalPoint &turning = bars_.carries_next ? next : last, &other = bars_.carries_next ? last : next;
+    const auto vector = [&](const LocalPoint& p) {
+      const auto to = p.as<double>(), from = pin.as<double>();
+      return std::array{Moving::constant(to[0] - from[0]), Moving::constant(to[1] - from[1])};
     };
     const Moving value = value_of(bars_.joint->value, {}, curve_.drives_at(Moving::variable(t)));
     Moving s, c;

@@ -15,11 +15,13 @@ class DeadPointSearch {
  public:
   DeadPointSearch(const LoopEquations& equations, std::size_t piece, const LoopPath& path)
       : path_(path), weights_(weights_of(equations)), curve_{equations, piece, fastest(path)} {
-    // In place of the parameter there is the time, in which a drive moves by about a degree or a unit of length.
-    double fastest = 0;
-    for (const Moving& rate : curve_.rates_at(Moving::constant(path.until)))
-      fastest = std::max(fastest, std::fabs(rate.c[0].mid));
-    weights_[static_cast<std::size_t>(curve_.parameter)] = 1 / std::max(fastest, 0x1p-300);
+    // In place of the parameter there is the time, in which a drive moves by its weight.
+    const std::vector<double> of_drives = weights_of_drives(equations);
+    const std::vector<Moving> rates = curve_.rates_at(Moving::constant(path.until));
+    double fastest = 0x1p-300;
+    for (std::size_t i = 0; i < rates.size(); ++i)
+      fastest = std::max(fastest, std::fabs(rates[i].c[0].mid) / of_drives[i]);
+    weights_[static_cast<std::size_t>(curve_.parameter)] = 1 / fastest;
   }
 
   std::optional<DeadPoint> find() const {

@@ -26,7 +26,8 @@ class Assembly {
     if (equations_.equations() != equations_.unknowns) fail_mobility("the drives do not determine the joints");
     const double asked_end = scene_.end;
     follow_all(timed.ends);
-    const auto functions = std::make_shared<const JointFunctions>(std::move(equations_), std::move(cells_));
+    const auto drawn_at = begins_as_drawn() ? std::optional(scene_.start) : std::nullopt;
+    const auto functions = std::make_shared<const JointFunctions>(std::move(equations_), std::move(cells_), drawn_at);
     move_links(functions, timed.ends);
     scene_.assembly = std::make_shared<const AssembledMechanism>(
         AssembledMechanism{functions, tree_, mobility_, asked_end, scene_.end});
@@ -124,15 +125,34 @@ class Assembly {
     return names;
   }
 
+  /// The value of a drive at the start.
+  Ball<double> beginning(const Drive& drive) const {
+    return drive_value(drive.pieces.front(), Series<double, 0>::constant(scene_.start)).c[0];
+  }
+  /// Do all drives begin at 0, exactly?
+  bool begins_as_drawn() const {
+    return std::all_of(equations_.drives.begin(), equations_.drives.end(), [&](const Drive& drive) {
+      const Drive::Piece& piece = drive.pieces.front();
+      const Dyadic t = Dyadic::exact(scene_.start);
+      Dyadic sum;
+      if (!piece.line) {
+        for (std::size_t k = piece.polynomial.size(); k-- > 0;) sum = sum * t + Dyadic::exact(piece.polynomial[k]);
+        return sum.is_zero();
+      }
+      const auto [t0, v0, t1, v1] = *piece.line;
+      if (t0 == t1) return v0 == 0;
+      const Dyadic since = t - Dyadic::exact(t0), until = Dyadic::exact(t1) - t;
+      return (since * Dyadic::exact(v1) + until * Dyadic::exact(v0)).is_zero();
+    });
+  }
+
   Balls<double> at_beginning(Balls<double> values) const {
+    if (begins_as_drawn()) return values;
     LoopEquations drawn = equations_;
-    bool moves = false;
     for (Drive& drive : drawn.drives) {
-      const double begins = drive_value(drive.pieces.front(), Series<double, 0>::constant(scene_.start)).c[0].mid;
-      moves = moves || begins != 0;
+      const double begins = beginning(drive).mid;
       drive.pieces = {{1, std::array<double, 4>{0, 0, 1, begins}, {}}};
     }
-    if (!moves) return values;
     LoopPath path = follow(drawn, 0, 0, 1, values);
     if (!path.singular) return path.last;
     throw InputError(

@@ -1,6 +1,7 @@
 // The equations of a mechanism from its joints, drives and couplings.
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "scene/mechanism.hpp"
 #include "taut/error.hpp"
@@ -29,20 +30,22 @@ class EquationBuilder {
     LoopEquations& equations = out.equations;
     for (const JointTree::Link& link : tree_.links) {
       const MechanismJoint& joint = at(link.joint);
-      equations.joints.push_back({link.parent, joint.kind == MechanismJoint::Kind::slide, joint.at, joint.direction,
-                                  link.reversed ? -1.0 : 1.0, value_of(link.joint, 0)});
+      equations.joints.push_back({link.parent, joint.kind == MechanismJoint::Kind::slide, place_of(joint),
+                                  joint.direction, link.reversed ? -1.0 : 1.0, value_of(link.joint, 0)});
     }
     for (const int k : tree_.closures) {
       const MechanismJoint& joint = at(k);
       LoopEquations::Closure closure{link_named(joint.first),
                                      link_named(joint.second),
                                      joint.kind == MechanismJoint::Kind::slide,
+                                     place_of(joint),
                                      joint.at,
                                      joint.direction,
                                      {}};
       if (drives_.count(k) || couplings_.count(k) || is_source(joint.name)) closure.value = value_of(k, 0);
       equations.closures.push_back(std::move(closure));
     }
+    equations.implied = links_on_one_pin();
     equations.unknowns = unknowns_;
     out.ends = ends();
     for (const Drive& drive : mechanism_.drives) equations.drives.push_back(in_pieces(drive, out.ends));
@@ -50,6 +53,14 @@ class EquationBuilder {
   }
 
  private:
+  /// Slides have no place: they are at the origin.
+  LocalPoint place_of(const MechanismJoint& joint) const {
+    const auto first =
+        std::find_if(mechanism_.joints.begin(), mechanism_.joints.end(),
+                     [](const MechanismJoint& other) { return other.kind == MechanismJoint::Kind::revolute; });
+    return joint.kind == MechanismJoint::Kind::slide ? LocalPoint{} : LocalPoint(joint.at, first->at);
+  }
+
   const MechanismJoint& at(int joint) const { return mechanism_.joints[static_cast<std::size_t>(joint)]; }
 
   int joint_named(const std::string& name, const std::string& place) const {
@@ -89,6 +100,34 @@ class EquationBuilder {
     const auto [known, fresh] = unknown_of_.emplace(joint, unknowns_);
     unknowns_ += fresh;
     return LinearForm::unknown(known->second);
+  }
+
+  /// Each two bodies on one pin turn about it, whether a joint joins them or others between them.
+  std::vector<LoopEquations::Closure> links_on_one_pin() const {
+    std::map<std::pair<double, double>, std::vector<std::set<std::string>>> pins;
+    for (const MechanismJoint& joint : mechanism_.joints) {
+      if (joint.kind == MechanismJoint::Kind::slide) continue;
+      // Groups of bodies that hang together there.
+      std::vector<std::set<std::string>>& groups = pins[{joint.at.x, joint.at.y}];
+      std::set<std::string> joined{joint.first, joint.second};
+      const auto apart = std::partition(groups.begin(), groups.end(), [&](const std::set<std::string>& group) {
+        return !group.count(joint.first) && !group.count(joint.second);
+      });
+      for (auto group = apart; group != groups.end(); ++group) joined.merge(*group);
+      groups.erase(apart, groups.end());
+      groups.push_back(std::move(joined));
+    }
+    std::vector<LoopEquations::Closure> out;
+    for (const auto& [at, groups] : pins) {
+      for (const std::set<std::string>& group : groups) {
+        if (group.size() == 2) continue;
+        for (auto a = group.begin(); a != group.end(); ++a) {
+          for (auto b = std::next(a); b != group.end(); ++b)
+            out.push_back({link_named(*a), link_named(*b), false, {}, {at.first, at.second}, {}, {}});
+        }
+      }
+    }
+    return out;
   }
 
   int link_named(const std::string& body) const {

@@ -48,7 +48,7 @@ bool encloses(const Ball<Real>& ball, const Long& x) {
 /// Both coordinates of a marker, over a ball of times.
 template <class Real>
 std::array<Jet<Real>, 2> placed(const Scene& scene, const ClosedLinkage::Marker& marker, const Ball<Real>& t) {
-  return placed_point(pose_of<Jet<Real>>(chain_of(scene, marker.body), t), marker.at);
+  return placed_point(pose_of<Jet<Real>>(chain_of(scene, marker.body), t), LocalPoint(marker.at, {0, 0}));
 }
 
 class Comparison {

@@ -248,6 +248,61 @@ TEST(MechanismMotion, FindsRangesOfSlidesThatReturn) {
   }
 }
 
+/// Corners of all bodies are on the pins, of which two join three bodies, and every loop is closed at one of them.
+const char* const corners_on_pins = R"({"format":"taut-scene/1","time":[0,1],"bodies":[
+    {"name":"base","polygon":[[0,0],[40,0],[20,-10]]},{"name":"crank","polygon":[[0,0],[10,0],[5,3]]},
+    {"name":"coupler","polygon":[[10,0],[35,20],[15,15]]},{"name":"rod","polygon":[[10,0],[15,-20],[20,-18]]},
+    {"name":"foot","polygon":[[15,-20],[40,0],[35,-20]]},{"name":"rocker","polygon":[[35,20],[40,0],[45,12]]}],
+   "mechanism":{"ground":"base","joints":{
+    "A":{"revolute":["base","crank"],"at":[0,0]},"B":{"revolute":["crank","coupler","rod"],"at":[10,0]},
+    "C":{"revolute":["coupler","rocker"],"at":[35,20]},"D":{"revolute":["base","rocker","foot"],"at":[40,0]},
+    "E":{"revolute":["rod","foot"],"at":[15,-20]}},
+   "drive":{"A":{"from_deg":0,"to_deg":360}}}})";
+
+TEST(MechanismIdentities, HoldForCornersOnPins) {
+  const Intervals answer = intervals(parse_scene(corners_on_pins));
+  EXPECT_EQ(answer.outcome, Outcome::contact) << answer.reason;
+  EXPECT_EQ(answer.coverage.tested, 14u);
+  // With their common corner on the pin: from the pictures of all poses, the coupler and the rocker never overlap.
+  for (const OverlapInterval& interval : answer.intervals) EXPECT_NE(interval.pair, (std::array<BodyId, 2>{2, 5}));
+}
+
+/// In the drawn pose, which edge is along which is known exactly, not only that it nearly is.
+TEST(MechanismIdentities, HoldInTheDrawnPose) {
+  std::string text = corners_on_pins;
+  // The rocker's edge from the pin D upwards is along the foot's.
+  const std::string foot = "[[15,-20],[40,0],[35,-20]]";
+  text.replace(text.find(foot), foot.size(), "[[15,-20],[40,0],[38,8]]");
+  const Intervals answer = intervals(parse_scene(text));
+  EXPECT_EQ(answer.outcome, Outcome::contact) << answer.reason;
+}
+
+/// Far from the origin, as drawings of plants are.
+TEST(MechanismLock, IsFoundFarFromTheOrigin) {
+  const auto moved = [](double by) {
+    Scene scene = toggle(0, 1, {{0, 0}, {1, 10}});
+    scene.assembly.reset();
+    scene.lock.reset();
+    scene.end = 1;
+    for (Body& body : scene.bodies) {
+      body.motion = {};
+      body.relative_to.clear();
+      for (Point& p : body.polygon) p = {p.x + by, p.y - by};
+    }
+    for (MechanismJoint& joint : scene.mechanism->joints) joint.at = {joint.at.x + by, joint.at.y - by};
+    return assembled(scene);
+  };
+  const Scene here = moved(0);
+  ASSERT_TRUE(here.lock);
+  for (const double by : {0x1p20, 0x1p40}) {
+    const Scene there = moved(by);
+    ASSERT_TRUE(there.lock) << by;
+    EXPECT_EQ(there.lock->kind, MechanismLock::Kind::dead_point) << by;
+    EXPECT_EQ(there.lock->time, here.lock->time) << by;
+    EXPECT_EQ(there.end, here.end) << by;
+  }
+}
+
 TEST(MechanismMotion, IsKnownBetweenTheDoublesOfTimesFarFrom0) {
   using namespace internal;
   const Scene scene = parse_scene(four_bar(R"("time":[0,1])", R"("time":[1700000000,1700000001])"));
