@@ -128,6 +128,10 @@ void add_clearance(const Command& app, Action& action) {
       .value("X");
   const auto pairs = [arguments](const std::string& which) { arguments->options.all_pairs = which == "all"; };
   command.add_choice("--pairs", {"first", "all"}, pairs, "first: the pair that comes closest; all: every pair");
+  command
+      .add_option("--within", arguments->options.within,
+                  "with --pairs all: only those that may come as close as D; others are counted as apart")
+      .value("D");
   add_max_seconds(command, arguments->options.limits);
   const Option profile =
       command
@@ -146,6 +150,7 @@ void add_clearance(const Command& app, Action& action) {
   command.footer(
       "Example:\n"
       "  taut clearance scene.json --pairs all --svg closest.svg\n"
+      "  taut clearance layout.json --pairs all --within 0.5\n"
       "  taut clearance scene.json --profile 200 --svg distance.svg\n"
       "\n"
       "Prints the least distance over the scene's time, when, and between which points. Exit codes: 0, or 1 if bodies\n"

@@ -25,7 +25,8 @@ struct Clearance {
   Outcome outcome = Outcome::undecided;
   /// Of the pair that comes closest. Absent if the outcome is undecided or untested.
   std::optional<NearestPoints> nearest;
-  /// With `all_pairs`: of every pair that is asked about, in the order of the scene.
+  /// With `all_pairs`: of every pair that is asked about, and comes within ClearanceOptions::within, in the order of
+  /// the scene.
   std::vector<NearestPoints> pairs;
   std::string reason;  ///< why it is undecided or untested; empty otherwise
   Coverage coverage;
@@ -41,6 +42,9 @@ struct ClearanceOptions {
   /// part is the larger one. At least 1e-12.
   double relative = 1e-9;
   bool all_pairs = false;
+  /// With `all_pairs`: only pairs that may come as close as this, in the scene's units, > 0. Others are certainly
+  /// farther apart all the time. Of many bodies, those that are near are few.
+  double within = 1e300;
   Limits limits = {};
 };
 

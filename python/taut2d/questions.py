@@ -318,16 +318,17 @@ def range(scene: Scene, around: float, *, touch: Touch = "open", max_seconds: Op
         return range_from_json(answer)
 
 
-def clearance(scene: Scene, *, tolerance: float = 1e-9, pairs: Pairs = "first",
+def clearance(scene: Scene, *, tolerance: float = 1e-9, pairs: Pairs = "first", within: Optional[float] = None,
               max_seconds: Optional[float] = None) -> Clearance:
     """How close bodies come over the scene's time: a bracket that certainly holds the least distance of their closures.
 
     ``tolerance``: how wide the bracket may be, as a share of it, and 1e-12 of the largest coordinate besides.
-    ``pairs``: "first": of the pair that comes closest; "all": of each pair, in Clearance.pairs. Errors are those of
-    check().
+    ``pairs``: "first": of the pair that comes closest; "all": of each pair, in Clearance.pairs. ``within``: with "all",
+    only of pairs that may come as close as this; others are counted as ``apart``. Errors are those of check().
     """
     with _plain_places():
-        answer, _, _ = ask("clearance", scene_text(scene), tolerance=tolerance, pairs=pairs, max_seconds=max_seconds)
+        answer, _, _ = ask("clearance", scene_text(scene), tolerance=tolerance, pairs=pairs, within=within,
+                           max_seconds=max_seconds)
         return clearance_from_json(answer)
 
 

@@ -133,7 +133,9 @@ Options distance_options(const GivenOptions& given) {
 }
 
 Reply ask_clearance(const Scene& scene, const GivenOptions& given) {
-  return {clearance_json(scene, clearance(scene, distance_options<ClearanceOptions>(given)))};
+  auto options = distance_options<ClearanceOptions>(given);
+  options.within = given.number("within");
+  return {clearance_json(scene, clearance(scene, options))};
 }
 
 Reply ask_profile(const Scene& scene, const GivenOptions& given) {
@@ -158,7 +160,10 @@ std::vector<QuestionEntry> distance_questions() {
           {"clearance",
            "How close bodies come over the scene's time, as a certain bracket.",
            "ClearanceAnswer",
-           {tolerance_option(), pairs_option(), max_seconds_option()},
+           {tolerance_option(), pairs_option(),
+            number_option("within", ClearanceOptions{}.within,
+                          "With all pairs: only those that may come as close as this, in the scene's units."),
+            max_seconds_option()},
            ask_clearance},
           {"distance_profile",
            "The distance over time in certain brackets: at instants, between them, and the greatest.",

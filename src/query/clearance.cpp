@@ -36,6 +36,7 @@ class ClearanceSearch {
       : options_(options), instance_(scene), boxes_(instance_), best_(INFINITY) {
     // A little less than the tolerance; the rest is for rounding.
     tolerance_ = {options.relative * 0.99, 0.99e-12 * instance_.largest()};
+    if (options.all_pairs) listed_within_ = std::ldexp(options.within, instance_.exponent());
   }
 
   /// The coverage if the search stops here.
@@ -91,11 +92,12 @@ class ClearanceSearch {
 
   /// Searches pairs in the order of the distance of their boxes, in rounds of increasing reach, until no other pair can
   /// be closer than the distance found. If that is 0, all pairs whose boxes meet are searched for the first touch.
+  /// Those that may be listed come first, all of them.
   void search_all() {
-    double reach = options_.all_pairs ? INFINITY : 0;
+    double reach = std::max(listed_within_, 0.0);
     for (;;) {
       for (const BoxedPair& pair : new_pairs(reach)) {
-        if (!options_.all_pairs && pair.bound > (best_ > 0 ? tolerance_.least(best_) : 0)) return;
+        if (!is_listed(pair) && pair.bound > (best_ > 0 ? tolerance_.least(best_) : 0)) return;
         report_parts("pairs", searched_.size());
         searched_.emplace(pair.a, pair.b);
         search(pair);
@@ -106,6 +108,8 @@ class ClearanceSearch {
       if (!(reach < 64)) reach = INFINITY;
     }
   }
+
+  bool is_listed(const BoxedPair& pair) const { return pair.bound <= listed_within_; }
 
   /// The pairs within reach that have not been searched, the nearest boxes first.
   std::vector<BoxedPair> new_pairs(double reach) const {
@@ -124,19 +128,19 @@ class ClearanceSearch {
     NearestPoints found;
     found.pair = instance_.scene_pair(pair.a, pair.b);
     if (!touching(search, found)) {
-      if (!options_.all_pairs && !(best_ > 0)) return;
+      if (!is_listed(pair) && !(best_ > 0)) return;
       spacetime::Nearest nearest;
-      nearest.distance = options_.all_pairs ? INFINITY : best_;
+      nearest.distance = is_listed(pair) ? INFINITY : best_;
       const double before = nearest.distance;
       spacetime::find_nearest(search.geometry, search.trees(), search.segments(), tolerance_, nearest);
       const std::string why = spacetime::resolve_nearest(search.geometry, search.trees(), search.segments(),
                                                          {instance_.start(), instance_.end()}, tolerance_, nearest);
       certain_ = std::min(certain_, nearest.unresolved);
       if (!why.empty()) why_ = why;
-      if (!options_.all_pairs && !(nearest.distance < before)) return;
+      if (!is_listed(pair) && !(nearest.distance < before)) return;
       describe(search, nearest, found);
     }
-    if (options_.all_pairs) answer_.pairs.push_back(found);
+    if (is_listed(pair) && found.lo <= options_.within) answer_.pairs.push_back(found);
     if (answer_.nearest && !is_nearer(found, *answer_.nearest)) return;
     answer_.nearest = found;
     best_ = std::ldexp(found.hi, instance_.exponent());
@@ -182,6 +186,7 @@ class ClearanceSearch {
   std::set<std::pair<int, int>> searched_;
   spacetime::ClearanceTolerance tolerance_;
   double best_;                ///< internal units
+  double listed_within_ = -1;  ///< internal units; of no pair by default
   double certain_ = INFINITY;  ///< a lower bound of the distance of all pairs that are not known to the requested
                                ///< accuracy
   std::string why_;            ///< the reason for that
@@ -218,6 +223,9 @@ Clearance clearance(const Scene& scene, const ClearanceOptions& options) {
   if (!(options.relative >= 1e-12 && options.relative < 1))
     throw InputError("tolerance", "it is not at least 1e-12 and below 1",
                      "1e-9 is usual; doubles do not resolve more than 1e-12");
+  if (!(options.within > 0)) throw InputError("within", "it is not a positive distance", "leave it out for all pairs");
+  if (options.within < ClearanceOptions{}.within && !options.all_pairs)
+    throw InputError("within", "it says which pairs are listed, and none is", "ask for all pairs");
   Clearance answer = has_curves(scene) ? clearance_of_curves(scene, options) : clearance_of_polygons(scene, options);
   note_undecided_lock(scene, answer.outcome, answer.reason);
   return answer;

@@ -69,6 +69,7 @@ class ClearanceBracket {
   ClearanceBracket(const Scene& scene, const ClearanceOptions& options)
       : scene_(scene), options_(options), run_(scene, options.limits), own_(options) {
     own_.all_pairs = false;
+    own_.within = ClearanceOptions{}.within;
     own_.relative = std::max(options.relative / 4, 0.01);
     most_ = 4 * run_.world().segments() + 3000;
     size_ = largest_size(run_.world());
@@ -333,19 +334,21 @@ double largest_size(const CurvedWorld& world) {
 Clearance clearance_of_curves(const Scene& scene, const ClearanceOptions& options) {
   Clearance answer = least_clearance(scene, options);
   if (!options.all_pairs || !answer.reason.empty()) return answer;
-  // The pairs of the query are those for polygons of any kind.
+  // Polygons around the bodies are no farther apart than these.
   ClearanceOptions coarse = options;
   coarse.relative = 0.1;
-  const Clearance pairs = clearance(CurvedWorld(scene).polygons(CurveSide::inner), coarse);
+  const Clearance pairs = clearance(CurvedWorld(scene).polygons(CurveSide::outer), coarse);
   for (const NearestPoints& pair : pairs.pairs) {
     std::vector<BodyId> ids;
     const Scene small = scene_of_pair(scene, pair.pair, ids);
     ClearanceOptions own = options;
     own.all_pairs = false;
+    own.within = ClearanceOptions{}.within;
     const Clearance found = has_curves(small) ? least_clearance(small, own) : clearance(small, own);
     if (!found.reason.empty()) answer.reason = found.reason;
     if (!found.wide.empty()) answer.wide = found.wide;
     if (!found.nearest) continue;
+    if (found.nearest->lo > options.within) continue;
     answer.pairs.push_back(*found.nearest);
     place_in(ids, pair.pair, answer.pairs.back());
   }
