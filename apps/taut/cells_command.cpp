@@ -6,6 +6,7 @@
 
 #include "commands.hpp"
 #include "interrupt.hpp"
+#include "report.hpp"
 #include "scene_source.hpp"
 #include "taut/cells.hpp"
 #include "taut/error.hpp"
@@ -53,7 +54,8 @@ std::string in_words(const Scene& scene, BodyId body, const CoveredCells& covere
   }
   return fmt::format("CELLS  {}   {} of {}, columns {} to {}, rows {} to {}\n",
                      scene.bodies[static_cast<std::size_t>(body)].name, covered.cells.size(), covered.resolution, i0,
-                     i1, covered.cells.front()[1], covered.cells.back()[1]);
+                     i1, covered.cells.front()[1], covered.cells.back()[1]) +
+         lock_text(scene);
 }
 
 /// The image, and beside it what map_server reads first.

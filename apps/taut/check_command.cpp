@@ -139,8 +139,8 @@ const char* const check_footer =
     "    {\"name\":\"anvil\",\"polygon\":[[0,0],[4,0],[4,1],[0,1]]},\n"
     "    {\"name\":\"hammer\",\"polygon\":[[1,5],[3,5],[2,6]],\"motion\":{\"y\":[0,-0.5]}}]}\n"
     "\n"
-    "Exit codes: 0 free, 1 contact or overlap at the start, 2 bad input, or no pair was tested, 3 undecided,\n"
-    "4 internal error.\n";
+    "Exit codes: 0 free, 1 contact or overlap at the start, 2 bad input, or no pair was tested, 3 undecided, or a\n"
+    "mechanism locks before the end, 4 internal error.\n";
 
 }  // namespace
 

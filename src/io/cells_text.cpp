@@ -1,7 +1,7 @@
 // Cells that a body touches: as JSON, and as a map for map_server.
 #include <algorithm>
 
-#include "io/json_text.hpp"
+#include "io/answer_writer.hpp"
 #include "io/number_text.hpp"
 #include "taut/cells.hpp"
 #include "taut/scene.hpp"
@@ -29,14 +29,21 @@ CellRange range_of_cells(const CoveredCells& covered) {
 }  // namespace
 
 std::string cells_json(const Scene& scene, BodyId body, const CoveredCells& covered) {
-  std::string text = "{\"body\":" + io::string_text(scene.bodies[static_cast<std::size_t>(body)].name) +
-                     ",\"resolution\":" + io::number_text(covered.resolution) +
-                     ",\"origin\":" + io::array_text({covered.origin.x, covered.origin.y}) + ",\"cells\":[";
-  for (std::size_t k = 0; k < covered.cells.size(); ++k) {
-    const auto& [i, j] = covered.cells[k];
-    text += (k > 0 ? ",[" : "[") + std::to_string(i) + "," + std::to_string(j) + "]";
-  }
-  return text + "]}";
+  io::AnswerWriter json(scene);
+  json.object([&] {
+    json.key("body");
+    json.name(body);
+    json.member("resolution", covered.resolution);
+    json.member("origin", covered.origin);
+    if (scene.lock) json.lock(*scene.lock);
+    json.key("cells").array(covered.cells, [&](const std::array<int, 2>& cell) {
+      json.array([&] {
+        json.integer(cell[0]);
+        json.integer(cell[1]);
+      });
+    });
+  });
+  return json.text();
 }
 
 std::string cells_pgm(const CoveredCells& covered) {

@@ -132,6 +132,9 @@ class MechanismReader {
                               std::string("write ") + drive_shape);
       piece.polynomial = read_numbers(document_, *polynomial, object.path(value), "[c0, c1, ...]", max_degree + 1,
                                       "the highest degree supported is " + std::to_string(max_degree));
+      if (piece.polynomial.empty())
+        throw document_.error(*polynomial, object.path(value), "it has no coefficients",
+                              "write [c0, c1, ...], [0] for a joint that is held");
     } else {
       piece.line = {start_, read_number(document_, object.get(from), object.path(from)), end_,
                     read_number(document_, object.get(to), object.path(to))};

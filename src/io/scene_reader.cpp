@@ -59,9 +59,14 @@ class SceneReader {
       const io::MotionContext context{scene.start, scene.end, folder_, limits_};
       body.motion = io::read_motion(document_, token, path, context);
     });
-    if (const auto mechanism = root.find("mechanism"))
-      scene.mechanism = io::read_mechanism(document_, *mechanism, scene.start, scene.end);
-    return assembled(std::move(scene));
+    const auto mechanism = root.find("mechanism");
+    if (!mechanism) return scene;
+    scene.mechanism = io::read_mechanism(document_, *mechanism, scene.start, scene.end);
+    try {
+      return assembled(std::move(scene));
+    } catch (const InputError& error) {
+      throw document_.error(*mechanism, error.place(), error.problem(), error.hint());
+    }
   }
 
   Linkage read_linkage() const {

@@ -29,7 +29,7 @@ class Follower {
     const double least = std::max(length * 0x1p-42, std::max(std::fabs(from), std::fabs(to)) * 0x1p-50);
     while (path.until < to || path.cells.empty()) {
       checkpoint();
-      if (path.cells.size() * curve_.size() > most_values)
+      if (path.cells.size() * curve_.size() > most_values || is_hopeless(path, from, to))
         throw InputError(
             "mechanism",
             "its motion is too long: some thousand turns, or as many changes of direction, can be followed",
@@ -54,6 +54,15 @@ class Follower {
  private:
   /// Of unknowns in all cells of a path: some 40 MB, and as many seconds.
   static constexpr std::size_t most_values = std::size_t{1} << 18;
+  /// Would all cells be far too many if they went on as so far?
+  bool is_hopeless(const LoopPath& path, double from, double to) const {
+    constexpr std::size_t enough = 1024;
+    constexpr double far = 16;
+    const double values = static_cast<double>(path.cells.size() * curve_.size());
+    return path.cells.size() >= enough &&
+           values * ((to - from) / (path.until - from)) > far * static_cast<double>(most_values);
+  }
+
   /// How small the error has to be, as a share of an unknown's weight: one rounding of an angle of a radian.
   static constexpr double fine = 0x1p-46;
 

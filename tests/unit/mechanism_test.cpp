@@ -46,6 +46,8 @@ void expect_error(const std::string& from, const std::string& to, const std::str
 }
 
 TEST(MechanismFile, NamesWhatIsWrong) {
+  expect_error(R"({"from_deg":0,"to_deg":360})", R"({"deg":[]})", "it has no coefficients");
+  expect_error(R"("ground":"base")", R"("ground":"bass")", "scene:6:16: mechanism");
   expect_error(R"("ground":"base")", R"("ground":"bass")", "there is no body \"bass\"");
   expect_error(R"(["base","crank"])", R"(["base","crunk"])", "there is no body \"crunk\"");
   expect_error(R"(["base","crank"])", R"(["crank","crank"])", "to itself");
