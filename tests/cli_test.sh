@@ -84,7 +84,7 @@ rm -f huge.json million.json
 expect 0 'Subcommands' '' --help
 expect 0 'Exit codes' '' --help
 expect 0 '^taut [0-9]' '' --version
-for command in demo import check clearance intervals range separate mechanism envelope cells trace prove verify draw view separator flatten gen schema completion man; do expect 0 'Example' '' "$command" --help; done
+for command in demo import check clearance intervals range separate mechanism envelope path cells trace prove verify draw view separator flatten gen schema completion man; do expect 0 'Example' '' "$command" --help; done
 [ "$("$taut" --help | wc -l)" -le 30 ] || { echo "FAILED: --help does not fit a screen"; failures=$((failures + 1)); }
 expect 2 '' 'what is wanted is missing'
 expect 2 '' 'unknown command "chek"' chek x
@@ -604,6 +604,22 @@ expect 2 '' 'joints instead of a time' check "$examples/linkages/lift.json"
 expect 2 '' '"joints"' envelope hit.json
 echo '{"format":"taut-scene/1","joints":{"x":[0,2]},"bodies":[{"name":"a","polygon":[[0,0],[1,0],[0,1]],"motion":{"slide":{"direction":[1,0],"by":"y"}}}]}' > joints.json
 expect 2 '' 'there is no joint "y"' envelope joints.json
+expect 0 '^PATH  from the start to the goal' '' path "$examples/paths/piano.json" -o moved.json
+expect 0 '^FREE' '' check moved.json
+expect 0 'proof in moved.proof' '' prove -o moved.proof moved.json
+expect 0 '^VALID' '' verify moved.json moved.proof --expect free
+expect 0 '"format":"taut-scene/1"' '' path "$examples/paths/piano.json" -o -
+expect 0 '"outcome":"path","waypoints":\[{"x":0.7,"y":3.6,"turn":90},' '' path --json --touch closed "$examples/paths/piano.json"
+expect 1 '^NONE  there is no way' '' path "$examples/paths/piano_long.json"
+expect 1 '"cells":\[{"state":' '' path --json --cells "$examples/paths/piano_long.json"
+expect 0 '<animate' '' path --svg - "$examples/paths/arm.json"
+expect 0 '"clearance":0.05' '' path --json --clearance 0.05 "$examples/paths/piano.json"
+expect 2 '' 'start: "piano" and "walls" are nearer than the clearance' path --clearance 0.3 "$examples/paths/piano.json"
+expect 3 'limit of cells' '' path --max-cells 10 "$examples/paths/piano_long.json"
+expect 3 'time limit' '' path --max-seconds 0 "$examples/paths/piano.json"
+expect 2 '' 'tolerance: it is not between' path --tolerance 0 "$examples/paths/piano.json"
+expect 2 '' '"start" is missing' path "$examples/linkages/lift.json"
+expect 1 'COLLIDES' '' envelope --tolerance 0.2 "$examples/paths/bracket.json"
 expect 0 'proof in world.proof' '' prove -o world.proof world.json
 expect 0 '^VALID' '' verify world.json world.proof --expect free
 expect 1 'NOT VALID' '' verify three.json world.proof

@@ -224,7 +224,7 @@ class Runner:
             self.fail(block, "not as the schema says: " + error.message)
         with open(os.path.join(self.folder, "block.json"), "w") as file:
             json.dump(scene, file)
-        run = self.run("taut %s --allow-untested block.json" % ("envelope" if "joints" in scene else "check"))
+        run = self.run("taut %s --allow-untested block.json" % ("path" if "start" in scene else "envelope" if "joints" in scene else "check"))
         if run.returncode not in (0, 1):
             self.fail(block, "taut does not decide it: " + run.stdout)
 

@@ -37,7 +37,7 @@ def fits(scene):
 
 def reads(scene):
     """Does the program read the scene? (What is wrong with its geometry has another message.)"""
-    question = "envelope" if "joints" in scene and "time" not in scene else "check"
+    question = "check" if "time" in scene else "path" if "start" in scene else "envelope"
     run = subprocess.run([taut, question, "--allow-untested", "-"], input=json.dumps(scene), capture_output=True, text=True)
     return run.returncode in (0, 1, 3)
 

@@ -35,7 +35,7 @@ EMSCRIPTEN_KEEPALIVE const char* taut_ask(const char* question, const char* scen
   proof_log.clear();
   try {
     const Question asked{question, options, std::string(log, static_cast<std::size_t>(log_size))};
-    Reply reply = asks_about_linkage(asked.name) ? ask(asked, parse_linkage(scene)) : ask(asked, parse_scene(scene));
+    Reply reply = ask_about_text(asked, scene);
     api_result = std::move(reply.json);
     proof_log = std::move(reply.log);
   } catch (const InputError& e) {

@@ -4,6 +4,7 @@
 
 #include "io/json_text.hpp"
 #include "io/number_text.hpp"
+#include "scene/linkage.hpp"
 #include "taut/io.hpp"
 #include "taut/shape.hpp"
 #include "viewer_page.hpp"
@@ -33,13 +34,20 @@ std::string parts_text(const Body& body) {
   return s + "]";
 }
 
-std::string motion_text(const JointMotion& motion) {
+std::string single_text(const JointMotion& motion) {
   const auto* revolute = std::get_if<Revolute>(&motion.kind);
   return "{\"joint\":" + std::to_string(motion.joint) + ",\"times\":" + io::number_text(motion.times) +
          ",\"plus\":" + io::number_text(motion.plus) +
          (revolute ? ",\"pivot\":" + coordinates_text(revolute->pivot)
                    : ",\"direction\":" + coordinates_text(std::get<Slide>(motion.kind).direction)) +
          "}";
+}
+
+/// Revolutes and slides, the outermost first.
+std::string motion_text(const JointMotion& motion) {
+  std::string s = "[";
+  for (const JointMotion& single : single_motions(motion)) s += (s.size() > 1 ? "," : "") + single_text(single);
+  return s + "]";
 }
 
 std::string body_text(const Linkage& linkage, std::size_t k) {

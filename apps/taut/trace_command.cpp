@@ -48,6 +48,7 @@ int run_trace(TraceArguments arguments) {
 
 void add_trace(const Command& app, Action& action) {
   const Command command = app.add_command("trace", "Print one JSON line per event, then the answer");
+  command.hide();  // of interest to those who follow the algorithm; `taut --help` is to fit a screen
   const auto arguments = std::make_shared<TraceArguments>();
   add_run(command, arguments->scene, arguments->options);
   add_allow_untested(command, arguments->allow_untested);

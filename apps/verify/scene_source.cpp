@@ -1,8 +1,12 @@
 #include "scene_source.hpp"
 
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 
+#include "io/json_object.hpp"
+#include "io/text_file.hpp"
+#include "taut/error.hpp"
 #include "taut/io.hpp"
 
 namespace taut::cli {
@@ -57,23 +61,47 @@ std::optional<std::string> streamed_text(const std::string& path, std::size_t mo
 
 }  // namespace
 
-Scene load_scene(const SceneSource& source) {
+namespace {
+
+/// By one of two functions: of a text and its name, or of a file.
+template <class Parse, class Read>
+auto load(const SceneSource& source, const Parse& parse, const Read& read) {
   ReadLimits limits;
   limits.allow_outside = source.allow_outside;
   const std::optional<std::string> text = streamed_text(source.path, limits.max_bytes);
-  Scene scene = text ? parse_scene(*text, display_name(source.path), ".", limits) : read_scene(source.path, limits);
+  return text ? parse(*text, display_name(source.path), ".", limits) : read(source.path, limits);
+}
+
+}  // namespace
+
+Scene load_scene(const SceneSource& source) {
+  Scene scene = load(source, parse_scene, read_scene);
   take_choices(source, scene);
   return scene;
 }
 
 Linkage load_linkage(const SceneSource& source) {
-  ReadLimits limits;
-  limits.allow_outside = source.allow_outside;
-  const std::optional<std::string> text = streamed_text(source.path, limits.max_bytes);
-  Linkage linkage =
-      text ? parse_linkage(*text, display_name(source.path), ".", limits) : read_linkage(source.path, limits);
+  Linkage linkage = load(source, parse_linkage, read_linkage);
   take_choices(source, linkage.scene);
   return linkage;
+}
+
+PathProblem load_path_problem(const SceneSource& source) {
+  PathProblem problem = load(source, parse_path_problem, read_path_problem);
+  take_choices(source, problem.linkage.scene);
+  return problem;
+}
+
+bool has_joints(const SceneSource& source) {
+  std::error_code none;
+  if (!std::filesystem::is_regular_file(source.path, none)) return false;
+  try {
+    const internal::io::JsonDocument document =
+        internal::io::parse_json(internal::io::read_text_file(source.path, ReadLimits{}.max_bytes), source.path, "");
+    return document.at(0).kind() == internal::io::JsonKind::object && internal::io::has_member(document, 0, "joints");
+  } catch (const InputError&) {
+    return false;
+  }
 }
 
 std::string display_name(const std::string& path) { return path == "-" ? "<stdin>" : path; }

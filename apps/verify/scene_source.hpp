@@ -6,6 +6,7 @@
 #include "command_line/command_line.hpp"
 
 #include "taut/envelope.hpp"
+#include "taut/path.hpp"
 #include "taut/scene.hpp"
 
 namespace taut::cli {
@@ -27,6 +28,11 @@ void add_scene(const Command& command, SceneSource& scene);
 Scene load_scene(const SceneSource& source);
 /// The same of a scene that has joints instead of a time.
 Linkage load_linkage(const SceneSource& source);
+/// The same of a scene that has joints, a start and a goal.
+PathProblem load_path_problem(const SceneSource& source);
+
+/// Does the scene say "joints" instead of a time? False for what is no file, and for what cannot be read.
+bool has_joints(const SceneSource& source);
 
 /// What the path is called in messages.
 std::string display_name(const std::string& path);

@@ -7,6 +7,7 @@
 #include "taut/check.hpp"
 #include "taut/envelope.hpp"
 #include "taut/limits.hpp"
+#include "taut/path.hpp"
 #include "taut/scene.hpp"
 
 namespace taut {
@@ -42,8 +43,9 @@ std::vector<std::string> question_names();
 /// the npm package.
 std::string question_descriptions();
 
-/// Is the question of this name about a linkage, and not about a scene? False for a name that no question has.
-bool asks_about_linkage(const std::string& name);
+/// What a question is about: "scene", "linkage", or "problem", which is a linkage with a start and a goal. Empty for a
+/// name that no question has.
+std::string asked_about(const std::string& name);
 
 /// Answers a question about a scene. Throws InputError for a scene, a name or an option that is not valid, and
 /// UndecidedError or InternalError as the question's own function does.
@@ -51,5 +53,13 @@ Reply ask(const Question& question, const Scene& scene);
 
 /// The same about a linkage.
 Reply ask(const Question& question, const Linkage& linkage);
+
+/// The same about a linkage with a start and a goal.
+Reply ask(const Question& question, const PathProblem& problem);
+
+/// The same about what a text in the format taut-scene/1 says, read as the question needs it. `name` stands for the
+/// text in messages, `folder` is where files are looked up that it names.
+Reply ask_about_text(const Question& question, const std::string& text, const std::string& name = "scene",
+                     const std::string& folder = ".");
 
 }  // namespace taut

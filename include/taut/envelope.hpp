@@ -12,7 +12,10 @@
 namespace taut {
 
 /// The most joints that a linkage may have.
-inline constexpr int max_joints = 3;
+inline constexpr int max_joints = 4;
+
+/// A value for each joint, in the order of Linkage::joints; those beyond mean nothing.
+using JointValues = std::array<double, max_joints>;
 
 /// A value that somebody or something sets, in [lo, hi]: an angle in degrees, or a length.
 struct Joint {
@@ -29,11 +32,19 @@ struct Slide {
   Point direction;
 };
 
+/// The body moves freely: it turns about a point of its own coordinates by the value of one joint, and is then moved by
+/// the values of two others. A point p is at R (p - pivot) + pivot + (x, y), as with keyframes. Joints that are left
+/// out move nothing; at least one is there. Each is the joint's position in Linkage::joints.
+struct FreeMotion {
+  std::optional<int> x, y, deg;
+  Point pivot = {};
+};
+
 /// How a body follows a joint: by times * value + plus, in degrees or lengths. A gear's wheel, a rack, and both jaws of
 /// a gripper follow one joint.
 struct JointMotion {
-  std::variant<Revolute, Slide> kind;
-  int joint = 0;  ///< its position in Linkage::joints
+  std::variant<Revolute, Slide, FreeMotion> kind;
+  int joint = 0;  ///< its position in Linkage::joints; a FreeMotion names its own, and has neither times nor plus
   double times = 1, plus = 0;
 };
 
@@ -61,13 +72,13 @@ const char* to_string(CellState state);
 /// A box of joint values: `lo[k]` to `hi[k]` of joint k.
 struct EnvelopeCell {
   CellState state = CellState::undecided;
-  std::array<double, max_joints> lo{}, hi{};
+  JointValues lo{}, hi{};
   std::array<BodyId, 2> pair{};  ///< which overlaps, or was not distinguished
 };
 
 /// A combination at which two bodies overlap.
 struct EnvelopeWitness {
-  std::array<double, max_joints> values{};
+  JointValues values{};
   std::array<BodyId, 2> pair{};
 };
 
@@ -104,7 +115,7 @@ Envelope envelope(const Linkage& linkage, const EnvelopeOptions& options = {});
 void validate(const Linkage& linkage);
 
 /// The bodies where these joint values put them, at rest, as a scene with time [0, 0].
-Scene posed(const Linkage& linkage, const std::array<double, max_joints>& values);
+Scene posed(const Linkage& linkage, const JointValues& values);
 
 /// The answer of envelope() as `taut envelope --json` prints it; `cells`: with the whole partition.
 std::string envelope_json(const Linkage& linkage, const Envelope& answer, double tolerance, bool cells);

@@ -11,6 +11,7 @@
 #include "taut/check.hpp"
 #include "taut/envelope.hpp"
 #include "taut/motions.hpp"
+#include "taut/path.hpp"
 #include "taut/scene.hpp"
 #include "taut/simulation.hpp"
 
@@ -41,6 +42,12 @@ Linkage read_linkage(const std::string& path, const ReadLimits& limits = {});
 /// The same from text in memory.
 Linkage parse_linkage(const std::string& text, const std::string& name = "scene", const std::string& folder = ".",
                       const ReadLimits& limits = {});
+/// Reads a scene that has joints, a start and a goal, for find_path(): as read_linkage() does, with "start": {"x": 1},
+/// "goal": {"x": [8, 9]} or "outside", and "periodic": ["turn"]. read_linkage() passes over these three.
+PathProblem read_path_problem(const std::string& path, const ReadLimits& limits = {});
+/// The same from text in memory.
+PathProblem parse_path_problem(const std::string& text, const std::string& name = "scene",
+                               const std::string& folder = ".", const ReadLimits& limits = {});
 /// One JSON object, the inverse of parse_scene: numbers are written so that they read back the same. Motions are
 /// written as their pieces, whatever they were compiled from: a sweep is then a rotation like any other (Motion::sweep
 /// is lost).

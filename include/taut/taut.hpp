@@ -26,6 +26,7 @@
 //   taut/separate.hpp    in which directions do bodies come apart, and in which order?
 //   taut/mechanism.hpp   bodies on pins and slides, also in closed loops; taut/mechanism_motion.hpp: how do they move?
 //   taut/envelope.hpp    for which combinations of joint values do bodies keep apart?
+//   taut/path.hpp        is there any way from a start to a goal?
 //   taut/cells.hpp       which cells of a grid does a moving body touch?
 //   taut/proof.hpp       the answers with a proof, and the check of a proof
 //   taut/coverage.hpp    which pairs of bodies an answer is about
@@ -72,6 +73,7 @@
 #include "taut/motion.hpp"
 #include "taut/motions.hpp"
 #include "taut/outline.hpp"
+#include "taut/path.hpp"
 #include "taut/pose.hpp"
 #include "taut/proof.hpp"
 #include "taut/scene.hpp"

@@ -56,7 +56,7 @@ function declaration(question) {
   const name = camelCase(question.name);
   const positional = question.options.filter((option) => option.required);
   const parameters = [
-    question.about === "linkage" ? "linkage: object | string" : "scene: Scene",
+    question.about === "scene" ? "scene: Scene" : `${question.about}: object | string`,
     ...(question.reads_log ? ["log: Uint8Array"] : []),
     ...positional.map((option) => `${camelCase(option.name)}: ${typeOf(option)}`),
     `options?: ${capitalized(name)}Options`,

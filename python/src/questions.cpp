@@ -23,7 +23,7 @@ py::tuple ask(const SceneText& text, const std::string& question, const std::str
   taut::Question asked{question, options, log};
   const taut::Reply reply = attended<taut::Reply>([&](const std::atomic<bool>& stop) {
     asked.stop = &stop;
-    return taut::asks_about_linkage(question) ? taut::ask(asked, text.read_linkage()) : taut::ask(asked, text.read());
+    return taut::ask_about_text(asked, text.json, text.name, text.folder);
   });
   return py::make_tuple(reply.json, py::bytes(reply.log), reply.scene_sha256);
 }
@@ -50,6 +50,25 @@ void read_linkage_form(const SceneText& text) {
   });
 }
 
+void read_problem_form(const SceneText& text) {
+  attended<bool>([&](const std::atomic<bool>&) {
+    taut::parse_path_problem(text.json, text.name, text.folder);
+    return true;
+  });
+}
+
+/// The scene in which bodies go along waypoints, as JSON.
+std::string path_scene(const SceneText& text, const std::vector<std::vector<double>>& waypoints) {
+  return attended<std::string>([&](const std::atomic<bool>&) {
+    std::vector<taut::JointValues> way;
+    for (const std::vector<double>& values : waypoints) {
+      way.emplace_back();
+      std::copy_n(values.begin(), std::min(values.size(), way.back().size()), way.back().begin());
+    }
+    return taut::write_scene(taut::path_scene(taut::parse_path_problem(text.json, text.name, text.folder), way));
+  });
+}
+
 }  // namespace
 
 void bind_questions(py::module_& module) {
@@ -59,6 +78,8 @@ void bind_questions(py::module_& module) {
   module.def("ask", &ask);
   module.def("questions", &taut::question_descriptions);
   module.def("read_linkage", &read_linkage_form);
+  module.def("path_scene", &path_scene);
+  module.def("read_problem", &read_problem_form);
   module.def("validate", &validate);
   module.def("read", &read_form);
 }

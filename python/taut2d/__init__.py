@@ -20,7 +20,7 @@ anything with __geo_interface__ (shapely, geopandas), or WKT.
 clearance() says how close bodies come, distance_profile() how far they are at every time, check_clearance() whether they
 keep a distance, intervals() when they overlap, all of the time, range() how far they can go without, and separate() in
 which directions they come apart. envelope() says for which combinations of joint values bodies of a Linkage keep apart,
-along all motions at once. check_many() takes arrays of motions, or many scenes, and answers on all processors; sweep()
+along all motions at once; path() finds a way from a start to a goal, or proves that there is none. check_many() takes arrays of motions, or many scenes, and answers on all processors; sweep()
 does, too, into files. Shape prepares a shape for many scenes, StaticMap a map for bodies that move in it, and Simulation
 goes from event to event, with plans that may change. cells() lists the cells of a grid that a body touches. flatten()
 makes polygons of curves, and read_drawing() a scene of SVG, DXF and other drawings. Scene.plot() and Scene.animate() draw
@@ -30,7 +30,7 @@ Errors are TautError; InputError, with place, problem and hint, is a ValueError 
 moments. Functions may be called from several threads, which then run at the same time.
 """
 
-from . import _taut2d, directions, linkages, margins, mechanisms, questions
+from . import _taut2d, directions, linkages, margins, mechanisms, paths, questions
 from .answers import (Answer, Contact, Coverage, EdgeRef, Geometry, PairAnswer, Proof, ProvedCloseness, Verified,
                       VertexRef)
 from .asking import check, prove, verify
@@ -44,9 +44,10 @@ from .linkages import *
 from .many import Outcome, answer_dtype, check_many
 from .maps import Mover, StaticMap
 from .margins import *
-from .motions import (Angle, Arc, Cosine, CsvKeyframes, Direction, HalfAngleTangent, Keyframe, Keyframes, Orbit, Pieces,
+from .motions import (Angle, Arc, Cosine, CsvKeyframes, Direction, Free, HalfAngleTangent, Keyframe, Keyframes, Orbit, Pieces,
                       Polynomial, Revolute, Slide, Sweep, Turn, Velocity)
 from .parts import GeojsonFile, Part, Path, WktFile
+from .paths import *
 from .pictures import Pose
 from .questions import *
 # Not in __all__: `from taut2d import *` must leave Python's own range() alone.
@@ -61,7 +62,7 @@ from .viewer import Viewer
 # A module that is imported by a star lists its own names.
 __all__ = [
     "Angle", "Answer", "Arc", "Body", "Cells", "Contact", "Cosine", "Coverage", "Crossing", "CsvKeyframes",
-    "Direction", "Drawing", "DrawingBody", "DrawingFile", "EdgeRef", "Gap", "GeojsonFile", "Geometry",
+    "Direction", "Drawing", "DrawingBody", "DrawingFile", "EdgeRef", "Free", "Gap", "GeojsonFile", "Geometry",
     "HalfAngleTangent", "InputError", "InternalError", "Keyframe", "KeyframeRows", "Keyframes", "Mover", "OpenLine",
     "Orbit", "Outcome", "PairAnswer", "Part", "Path", "Pieces", "Polynomial", "Pose", "Proof", "ProvedCloseness",
     "Repair", "Revolute", "Scene", "Shape", "Simulation", "Skipped", "Slide", "StaticMap", "Sweep", "SweepAnswers",
@@ -73,6 +74,7 @@ __all__ += directions.__all__
 __all__ += mechanisms.__all__
 __all__ += linkages.__all__
 __all__ += margins.__all__
+__all__ += paths.__all__
 __all__ += questions.__all__
 
 __version__: str = _taut2d.version()

@@ -25,8 +25,8 @@ __all__ = ["Envelope", "EnvelopeCell", "EnvelopeWitness", "Linkage", "envelope"]
 class Linkage:
     """Bodies that follow joints.
 
-    ``bodies``: Body with a motion that is Revolute, Slide, or None; an arm's links are chained by ``relative_to``.
-    ``joints``: {"lift": (0, 60), "reach": (0, 2.5)}: one to three names, each with the range of its value, in degrees or
+    ``bodies``: Body with a motion that is Revolute, Slide, Free, or None; an arm's links are chained by ``relative_to``.
+    ``joints``: {"lift": (0, 60), "reach": (0, 2.5)}: one to four names, each with the range of its value, in degrees or
     lengths.
     ``ignore``, ``id``, ``folder``, ``at_rest``: as of a Scene; bodies are at rest relative to each other that no joint moves
     against each other.
@@ -152,11 +152,15 @@ class Envelope(Verdict):
         return axes
 
 
+def _cells_from(value: Any) -> tuple[EnvelopeCell, ...]:
+    return tuple(EnvelopeCell(c["state"], tuple(map(float, c["lo"])), tuple(map(float, c["hi"])),
+                              _pair(c["pair"]) if "pair" in c else None) for c in value.get("cells", ()))
+
+
 def _envelope_from_json(text: str) -> Envelope:
     value = json.loads(text)
     witness = value["witness"]
-    cells = tuple(EnvelopeCell(c["state"], tuple(map(float, c["lo"])), tuple(map(float, c["hi"])),
-                               _pair(c["pair"]) if "pair" in c else None) for c in value.get("cells", ()))
+    cells = _cells_from(value)
     return Envelope(value["outcome"],
                     None if witness is None else EnvelopeWitness({name: float(x) for name, x in witness["values"].items()},
                                                                  _pair(witness["pair"])),

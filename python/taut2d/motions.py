@@ -15,7 +15,7 @@ from .errors import InputError
 from ._numbers import number, numbers, path_text, point
 
 __all__ = [
-    "Angle", "Arc", "Cosine", "CsvKeyframes", "Direction", "HalfAngleTangent", "Keyframe", "Keyframes", "Motion",
+    "Angle", "Arc", "Cosine", "CsvKeyframes", "Direction", "Free", "HalfAngleTangent", "Keyframe", "Keyframes", "Motion",
     "Orbit", "Pieces", "Polynomial", "Revolute", "Rotation", "Slide", "Sweep", "Turn", "Velocity",
 ]
 
@@ -351,7 +351,31 @@ class Slide:
         return {"slide": _joint_json("direction", self.direction, self.by, self.times, self.plus)}
 
 
-Motion = Union[Keyframes, CsvKeyframes, Velocity, Sweep, Polynomial, Pieces, Revolute, Slide]
+@dataclass(frozen=True)
+class Free:
+    """Of a Linkage: the body moves freely. It turns about ``pivot``, a point of its own coordinates, by the value of the
+    joint called ``deg``, in degrees, and is then moved by the values of the joints called ``x`` and ``y``. Joints that are
+    None move nothing; at least one is named."""
+
+    x: Optional[str] = None
+    y: Optional[str] = None
+    deg: Optional[str] = None
+    pivot: Point = (0.0, 0.0)
+
+    def __post_init__(self) -> None:
+        for name in ("x", "y", "deg"):
+            if not isinstance(getattr(self, name), (str, type(None))):
+                raise InputError(name, f"expected the name of a joint, found {type(getattr(self, name)).__name__}")
+        if self.x is None and self.y is None and self.deg is None:
+            raise InputError("free", "it names no joint", 'write Free("x", "y", "turn")')
+        _set(self, pivot=point(self.pivot, "pivot"))
+
+    def _json(self) -> dict[str, Any]:
+        named = {name: getattr(self, name) for name in ("x", "y", "deg") if getattr(self, name) is not None}
+        return {"free": {**named, **({} if self.pivot == (0, 0) else {"pivot": list(self.pivot)})}}
+
+
+Motion = Union[Keyframes, CsvKeyframes, Velocity, Sweep, Polynomial, Pieces, Revolute, Slide, Free]
 
 
 def _rotation_from_json(value: Any) -> Optional[Rotation]:
@@ -393,4 +417,6 @@ def motion_from_json(value: Any) -> Optional[Motion]:
         return Revolute(**value["revolute"])
     if "slide" in value:
         return Slide(**value["slide"])
+    if "free" in value:
+        return Free(**value["free"])
     return _piece_from_json(value)

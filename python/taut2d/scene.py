@@ -12,7 +12,7 @@ from . import _taut2d, pictures
 from ._numbers import number, time_span
 from .answers import Answer, Contact
 from .errors import InputError
-from .motions import (CsvKeyframes, Keyframes, Motion, Pieces, Polynomial, Revolute, Slide, Sweep, Velocity,
+from .motions import (CsvKeyframes, Free, Keyframes, Motion, Pieces, Polynomial, Revolute, Slide, Sweep, Velocity,
                       motion_from_json)
 from .parts import GeojsonFile, OnePart, Part, Path, WktFile, flatten_hint, layers, shape_of_value
 from .pictures import Pose
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 __all__ = ["Body", "Scene"]
 
-_motions = (Keyframes, CsvKeyframes, Velocity, Sweep, Polynomial, Pieces, Revolute, Slide)
+_motions = (Keyframes, CsvKeyframes, Velocity, Sweep, Polynomial, Pieces, Revolute, Slide, Free)
 
 
 def _name(value: Any, place: str) -> str:
@@ -69,8 +69,8 @@ class Body:
             raise InputError(f"{self.name}: {error.place}", error.problem, error.hint) from error
         if self.motion is not None and not isinstance(self.motion, _motions):
             raise InputError(f"{self.name}: motion", f"expected a motion, found {type(self.motion).__name__}",
-                             "write Keyframes, Sweep, Velocity, Polynomial, Pieces or CsvKeyframes, in a Linkage Revolute or "
-                             "Slide, or None")
+                             "write Keyframes, Sweep, Velocity, Polynomial, Pieces or CsvKeyframes, in a Linkage Revolute, "
+                             "Slide or Free, or None")
 
     def _json(self) -> dict[str, Any]:
         object: dict[str, Any] = {"name": self.name}

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Literal
 
 __all__ = ["AtRest", "CellState", "ContactAt", "CrossingContours", "Engine", "EngineName", "FaceKind", "Faults", "FillRule",
-           "Grouping", "LengthUnit", "MarginOutcome", "OpenLines", "OutcomeWord", "Pairs", "QuestionOutcome", "RangeOutcome",
+           "Grouping", "LengthUnit", "MarginOutcome", "OpenLines", "OutcomeWord", "Pairs", "PathOutcome", "QuestionOutcome", "RangeOutcome",
            "RepairKind", "SeparationOutcome", "Side", "SimulationState", "Touch", "VerifiedOutcome"]
 
 # What functions take.
@@ -27,6 +27,7 @@ MarginOutcome = Literal["free", "contact", "overlap_at_start", "closer_at_start"
 LockKind = Literal["dead point", "change point", "undecided"]
 MechanismOutcome = Literal["moves", "locked", "undecided"]
 QuestionOutcome = Literal["free", "contact", "undecided", "untested"]
+PathOutcome = Literal["path", "none", "undecided", "untested"]
 RangeOutcome = Literal["free", "undecided", "untested"]
 SeparationOutcome = Literal["free", "locked", "overlap_at_start", "undecided", "untested"]
 VerifiedOutcome = Literal["free", "contact", "undecided"]

@@ -186,10 +186,11 @@ def test_help_has_words_for_everything():
 
 FALLS, RISES = (Body("b", square(0, 5), taut2d.Velocity((0, v))) for v in (-1, 1))
 ARM = taut2d.Linkage([Body("a", square(0, 0)), Body("b", square(2, 0), taut2d.Slide((-1, 0), by="reach"))], {"reach": (0, 2)})
+WAY = taut2d.PathProblem(ARM, {"reach": 0}, {"reach": 0.5})
 ASK = {"check": taut2d.check, "margin": lambda scene: taut2d.check_clearance(scene, 0.5), "intervals": taut2d.intervals,
        "range": lambda scene: taut2d.range(scene, 0), "clearance": taut2d.clearance,
        "profile": lambda scene: taut2d.distance_profile(scene, 3), "separate": taut2d.separate,
-       "envelope": lambda scene: taut2d.envelope(ARM)}
+       "envelope": lambda scene: taut2d.envelope(ARM), "path": lambda scene: taut2d.path(WAY)}
 
 
 @pytest.mark.parametrize("ask", ASK.values(), ids=ASK)
@@ -221,6 +222,7 @@ def test_proofs_have_no_truth_value_but_what_is_verified_has():
     ("profile", "contact: two bodies touch or overlap\nit is greatest, [", "free: the distance is never below 3.99"),
     ("separate", "free: b leaves in 1 arc of directions", "free: b leaves in 1 arc of directions"),
     ("envelope", "contact: a and b overlap at reach = ", "contact: a and b overlap at reach = "),
+    ("path", "path: 1 straight segment", "path: 1 straight segment"),
 ])
 def test_an_answer_is_said_in_words(ask, falls, rises):
     for mover, words in ((FALLS, falls), (RISES, rises)):
@@ -228,7 +230,7 @@ def test_an_answer_is_said_in_words(ask, falls, rises):
         assert said.startswith(words) and said.count("\n") <= 2 and "not tested" not in said
 
 
-@pytest.mark.parametrize("ask", sorted(set(ASK) - {"envelope", "separate"}))
+@pytest.mark.parametrize("ask", sorted(set(ASK) - {"envelope", "path", "separate"}))
 def test_words_say_what_was_not_tested(ask):
     bodies = [Body("a", square(0, 0)), Body("c", square(9, 9)), FALLS]
     said = str(ASK[ask](Scene(bodies, (0, 3), [("b", "c")])))

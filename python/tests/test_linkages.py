@@ -53,7 +53,7 @@ def test_equals_the_command(taut, tmp_path, name):
 
 
 def test_errors():
-    for joints in ({}, {"x": (1, 0)}, {"a": (0, 1), "b": (0, 1), "c": (0, 1), "d": (0, 1)}):
+    for joints in ({}, {"x": (1, 0)}, {"a": (0, 1), "b": (0, 1), "c": (0, 1), "d": (0, 1), "e": (0, 1)}):
         with pytest.raises(taut2d.InputError) as caught:
             taut2d.envelope(taut2d.Linkage(slider().bodies, joints))
         assert "joint" in str(caught.value)

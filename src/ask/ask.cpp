@@ -7,6 +7,7 @@
 #include "io/json_text.hpp"
 #include "io/json_writer.hpp"
 #include "taut/error.hpp"
+#include "taut/io.hpp"
 
 namespace taut::internal {
 namespace {
@@ -15,7 +16,7 @@ const std::vector<QuestionEntry>& entries() {
   static const std::vector<QuestionEntry> all = [] {
     std::vector<QuestionEntry> joined;
     for (const auto& family : {contact_questions, distance_questions, overlap_questions, separate_questions,
-                               mechanism_questions, proof_questions, envelope_questions}) {
+                               mechanism_questions, proof_questions, envelope_questions, path_questions}) {
       for (const QuestionEntry& entry : family()) joined.push_back(entry);
     }
     return joined;
@@ -67,11 +68,27 @@ void write_option(io::JsonWriter& json, const OptionEntry& option) {
   });
 }
 
+const char* about(const QuestionEntry& entry) {
+  return entry.about_scene ? "scene" : entry.about_linkage ? "linkage" : "problem";
+}
+
+/// The entry is about something else than `given`.
+[[noreturn]] void refuse(const QuestionEntry& entry, const char* given) {
+  const std::string wanted = about(entry);
+  const std::string wants = wanted == "scene"     ? "a scene over time"
+                            : wanted == "linkage" ? "a linkage"
+                                                  : "a linkage with a start and a goal";
+  throw InputError("question", entry.name + " is asked about " + wants + ", and this is " + given,
+                   wanted == "scene"     ? R"(give it "time")"
+                   : wanted == "linkage" ? R"(give it "joints")"
+                                         : R"(give it "joints", "start" and "goal")");
+}
+
 void write_entry(io::JsonWriter& json, const QuestionEntry& entry) {
   json.object([&] {
     json.member("name", entry.name);
     json.member("meaning", entry.meaning);
-    json.member("about", entry.about_linkage ? "linkage" : "scene");
+    json.member("about", about(entry));
     json.member("answer", entry.answer);
     json.member("writes_log", entry.log == QuestionLog::written);
     json.member("reads_log", entry.log == QuestionLog::read);
@@ -97,25 +114,35 @@ std::string question_descriptions() {
   });
 }
 
-bool asks_about_linkage(const std::string& name) {
+std::string asked_about(const std::string& name) {
   const QuestionEntry* entry = find_entry(name);
-  return entry && entry->about_linkage;
+  return entry ? about(*entry) : "";
 }
 
 Reply ask(const Question& question, const Scene& scene) {
   const QuestionEntry& entry = entry_of(question.name);
-  if (!entry.about_scene)
-    throw InputError("question", "an " + entry.name + " is of joints, and this is a scene over time",
-                     "give it \"joints\"");
+  if (!entry.about_scene) refuse(entry, "a scene over time");
   return entry.about_scene(scene, GivenOptions(question, entry));
 }
 
 Reply ask(const Question& question, const Linkage& linkage) {
   const QuestionEntry& entry = entry_of(question.name);
-  if (!entry.about_linkage)
-    throw InputError("question", entry.name + " is asked about a scene over time, and this has joints",
-                     "give it \"time\"");
+  if (!entry.about_linkage) refuse(entry, "a linkage");
   return entry.about_linkage(linkage, GivenOptions(question, entry));
+}
+
+Reply ask(const Question& question, const PathProblem& problem) {
+  const QuestionEntry& entry = entry_of(question.name);
+  if (!entry.about_problem) refuse(entry, "a linkage with a start and a goal");
+  return entry.about_problem(problem, GivenOptions(question, entry));
+}
+
+Reply ask_about_text(const Question& question, const std::string& text, const std::string& name,
+                     const std::string& folder) {
+  const std::string about = asked_about(question.name);
+  if (about == "linkage") return ask(question, parse_linkage(text, name, folder));
+  if (about == "problem") return ask(question, parse_path_problem(text, name, folder));
+  return ask(question, parse_scene(text, name, folder));
 }
 
 }  // namespace taut

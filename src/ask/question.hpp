@@ -55,7 +55,7 @@ OptionEntry clearance_option();
 /// What comes out of a question besides the answer, or goes into it.
 enum class QuestionLog : std::uint8_t { none, written, read };
 
-/// One question. Either `about_scene` or `about_linkage` answers it.
+/// One question. One of `about_scene`, `about_linkage` and `about_problem` answers it.
 struct QuestionEntry {
   std::string name;
   const char* meaning = "";
@@ -64,6 +64,7 @@ struct QuestionEntry {
   std::vector<OptionEntry> options;
   Reply (*about_scene)(const Scene&, const GivenOptions&) = nullptr;
   Reply (*about_linkage)(const Linkage&, const GivenOptions&) = nullptr;
+  Reply (*about_problem)(const PathProblem&, const GivenOptions&) = nullptr;
   QuestionLog log = QuestionLog::none;
 };
 
@@ -112,5 +113,6 @@ std::vector<QuestionEntry> separate_questions();
 std::vector<QuestionEntry> mechanism_questions();
 std::vector<QuestionEntry> proof_questions();
 std::vector<QuestionEntry> envelope_questions();
+std::vector<QuestionEntry> path_questions();
 
 }  // namespace taut::internal

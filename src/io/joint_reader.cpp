@@ -11,7 +11,8 @@ namespace {
 
 const char* const joints_shape = R"("joints": {"lift": [0, 60], "reach": [0, 2.5]}, in degrees or lengths)";
 const char* const joint_motion_shape =
-    R"({"revolute": {"pivot": [x, y], "by": "lift"}}, or {"slide": {"direction": [dx, dy], "by": "reach"}})";
+    R"({"revolute": {"pivot": [x, y], "by": "lift"}}, {"slide": {"direction": [dx, dy], "by": "reach"}}, or )"
+    R"({"free": {"x": "x", "y": "y", "deg": "turn", "pivot": [x, y]}})";
 
 class JointMotionReader {
  public:
@@ -19,11 +20,13 @@ class JointMotionReader {
       : document_(document), path_(path), joints_(joints) {}
 
   JointMotion read(std::size_t token) const {
-    const JsonObject object(document_, token, path_, {"revolute", "slide"}, joint_motion_shape);
-    const auto revolute = object.find("revolute"), slide = object.find("slide");
-    if (revolute.has_value() == slide.has_value())
-      throw document_.error(token, path_, revolute ? "both \"revolute\" and \"slide\" are given" : "no motion is given",
+    const JsonObject object(document_, token, path_, {"revolute", "slide", "free"}, joint_motion_shape);
+    const auto revolute = object.find("revolute"), slide = object.find("slide"), free = object.find("free");
+    const int given = revolute.has_value() + slide.has_value() + free.has_value();
+    if (given != 1)
+      throw document_.error(token, path_, given ? "more than one motion is given" : "no motion is given",
                             std::string("write ") + joint_motion_shape);
+    if (free) return read_free(*free, object.path("free"));
     const char* const key = revolute ? "revolute" : "slide";
     const std::string vector = revolute ? "pivot" : "direction";
     const JsonObject inner(document_, revolute ? *revolute : *slide, object.path(key), {vector, "by", "times", "plus"},
@@ -42,6 +45,20 @@ class JointMotionReader {
   }
 
  private:
+  JointMotion read_free(std::size_t token, const std::string& path) const {
+    const JsonObject inner(document_, token, path, {"x", "y", "deg", "pivot"}, joint_motion_shape);
+    FreeMotion free;
+    const auto read_joint = [&](const char* key, std::optional<int>& joint) {
+      if (const auto name = inner.find(key)) joint = joint_named(*name, inner.path(key));
+    };
+    read_joint("x", free.x);
+    read_joint("y", free.y);
+    read_joint("deg", free.deg);
+    if (const auto pivot = inner.find("pivot")) free.pivot = read_vector(*pivot, inner.path("pivot"));
+    JointMotion motion;
+    motion.kind = free;
+    return motion;
+  }
   Point read_vector(std::size_t token, const std::string& path) const {
     const auto numbers = read_numbers(document_, token, path, "[x, y]", 2, "write [x, y]");
     if (numbers.size() != 2)
@@ -67,7 +84,70 @@ class JointMotionReader {
   const std::vector<Joint>& joints_;
 };
 
+/// One value for each joint that is named, by a function of its number, its token and its path.
+template <class Read>
+void read_values(const JsonDocument& document, std::size_t token, const char* key, const std::vector<Joint>& joints,
+                 const Read& read) {
+  const std::string shape = std::string("\"") + key + R"(": {"x": 1, "turn": 90})";
+  document.require(token, JsonKind::object, key, shape);
+  std::vector<std::string> names;
+  for (const Joint& joint : joints) names.push_back(joint.name);
+  const JsonObject object(document, token, key, names, shape);
+  for (std::size_t k = 0; k < joints.size(); ++k) {
+    if (const auto value = object.find(joints[k].name)) read(k, *value, object.path(joints[k].name));
+  }
+}
+
 }  // namespace
+
+void read_periodic(const JsonDocument& document, std::size_t token, PathProblem& problem) {
+  const char* const shape = R"("periodic": ["turn"])";
+  document.require(token, JsonKind::array, "periodic", shape);
+  const std::vector<Joint>& joints = problem.linkage.joints;
+  for (std::size_t i = token + 1; i < document.after(token); i = document.after(i)) {
+    document.require(i, JsonKind::string, "periodic", shape);
+    const std::string& name = document.string_at(i);
+    const auto found = std::find_if(joints.begin(), joints.end(), [&](const Joint& j) { return j.name == name; });
+    if (found == joints.end())
+      throw document.error(i, "periodic", "there is no joint \"" + excerpt(name) + "\"", "name one of \"joints\"");
+    problem.periodic[static_cast<std::size_t>(found - joints.begin())] = true;
+  }
+}
+
+void read_start(const JsonDocument& document, std::size_t token, PathProblem& problem) {
+  std::array<bool, max_joints> given{};
+  const std::vector<Joint>& joints = problem.linkage.joints;
+  read_values(document, token, "start", joints, [&](std::size_t k, std::size_t value, const std::string& path) {
+    problem.start[k] = read_number(document, value, path);
+    given[k] = true;
+  });
+  for (std::size_t k = 0; k < joints.size(); ++k) {
+    if (!given[k])
+      throw document.error(token, "start", "it does not name the joint \"" + excerpt(joints[k].name) + "\"",
+                           "give each joint a value");
+  }
+}
+
+void read_goal(const JsonDocument& document, std::size_t token, PathProblem& problem) {
+  if (document.at(token).kind() == JsonKind::string) {
+    problem.goal_outside = document.string_at(token) == "outside";
+    if (problem.goal_outside) return;
+    throw document.error(token, "goal", "unknown goal \"" + excerpt(document.string_at(token)) + "\"",
+                         R"(write "goal": "outside", or {"x": [8, 9], "y": 7})");
+  }
+  read_values(document, token, "goal", problem.linkage.joints,
+              [&](std::size_t k, std::size_t value, const std::string& path) {
+                if (document.at(value).kind() != JsonKind::array) {
+                  const double at = read_number(document, value, path);
+                  problem.goal[k] = {at, at};
+                  return;
+                }
+                const auto range = read_numbers(document, value, path, "[lo, hi]", 2, "write [lo, hi]");
+                if (range.size() != 2 || range[1] < range[0])
+                  throw document.error(value, path, "it is no range", "write [lo, hi] with lo no larger than hi");
+                problem.goal[k] = {range[0], range[1]};
+              });
+}
 
 std::vector<Joint> read_joints(const JsonDocument& document, std::size_t token) {
   document.require(token, JsonKind::object, "joints", joints_shape);

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "io/json_document.hpp"
-#include "taut/envelope.hpp"
+#include "taut/path.hpp"
 
 namespace taut::internal::io {
 
@@ -12,8 +12,13 @@ namespace taut::internal::io {
 std::vector<Joint> read_joints(const JsonDocument& document, std::size_t token);
 
 /// {"revolute": {"pivot": [x, y], "by": "lift"}}, {"slide": {"direction": [dx, dy], "by": "x"}}, either with "times"
-/// and "plus" if they are not 1 and 0; or null.
+/// and "plus" if they are not 1 and 0; {"free": {"x": "x", "y": "y", "deg": "turn", "pivot": [x, y]}}; or null.
 std::optional<JointMotion> read_joint_motion(const JsonDocument& document, std::size_t token, const std::string& path,
                                              const std::vector<Joint>& joints);
+
+/// What a question about paths has besides: "periodic", "start" and "goal", of joints that are known.
+void read_periodic(const JsonDocument& document, std::size_t token, PathProblem& problem);
+void read_start(const JsonDocument& document, std::size_t token, PathProblem& problem);
+void read_goal(const JsonDocument& document, std::size_t token, PathProblem& problem);
 
 }  // namespace taut::internal::io

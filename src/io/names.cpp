@@ -1,6 +1,7 @@
 // How the public enumerations are called in answers and on the command line.
 #include "taut/check.hpp"
 #include "taut/envelope.hpp"
+#include "taut/path.hpp"
 #include "taut/separate.hpp"
 
 namespace taut {
@@ -21,6 +22,20 @@ const char* to_string(Outcome outcome) {
     case Outcome::locked:
       return "locked";
     case Outcome::undecided:
+      break;
+  }
+  return "undecided";
+}
+
+const char* to_string(PathOutcome outcome) {
+  switch (outcome) {
+    case PathOutcome::path:
+      return "path";
+    case PathOutcome::none:
+      return "none";
+    case PathOutcome::untested:
+      return "untested";
+    case PathOutcome::undecided:
       break;
   }
   return "undecided";

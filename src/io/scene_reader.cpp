@@ -12,6 +12,7 @@
 #include "io/text_file.hpp"
 #include "taut/error.hpp"
 #include "taut/io.hpp"
+#include "taut/path.hpp"
 
 namespace taut {
 using namespace internal;
@@ -25,6 +26,9 @@ using io::JsonObject;
 
 const char* const scene_shape =
     R"(a scene as {"format":"taut-scene/1","time":[0,1],"bodies":[{"name":"P","polygon":[[0,0],[1,0],[0,1]],"motion":null},{...}]})";
+
+const char* const path_shape =
+    R"(a scene as {"format":"taut-scene/1","joints":{"x":[0,9]},"bodies":[...],"start":{"x":1},"goal":{"x":8}})";
 
 const char* const linkage_shape =
     R"(a scene with joints as {"format":"taut-scene/1","joints":{"lift":[0,60]},"bodies":[...]})";
@@ -51,7 +55,7 @@ class SceneReader {
                           scene_shape);
     if (const auto joints = root.find("joints"))
       throw document_.error(*joints, "joints", "the scene has joints instead of a time",
-                            "ask taut envelope about it, or give it a \"time\" and motions");
+                            "ask taut envelope or taut path about it, or give it a \"time\" and motions");
     Scene scene;
     read_format(root.get("format"));
     read_time(root.get("time"), scene);
@@ -70,14 +74,32 @@ class SceneReader {
   }
 
   Linkage read_linkage() const {
+    PathProblem problem;
+    read_joints_and_bodies(problem);
+    return std::move(problem.linkage);
+  }
+
+  PathProblem read_path_problem() const {
+    PathProblem problem;
+    const JsonObject root = read_joints_and_bodies(problem);
+    if (const auto periodic = root.find("periodic")) io::read_periodic(document_, *periodic, problem);
+    io::read_start(document_, root.get("start"), problem);
+    io::read_goal(document_, root.get("goal"), problem);
+    return problem;
+  }
+
+ private:
+  JsonObject read_joints_and_bodies(PathProblem& problem) const {
     refuse_geojson();
     if (document_.at(0).kind() == JsonKind::object && io::has_member(document_, 0, "time"))
       throw document_.error(0, "", "the scene has a time instead of joints",
                             "ask `taut check` about it, or write \"joints\": {\"lift\": [0, 60]} instead of \"time\"");
-    const JsonObject root(document_, 0, "", {"format", "joints", "bodies", "ignore", "at_rest", "id", "$schema"},
-                          linkage_shape);
+    // "periodic", "start" and "goal" are part of one question; the others pass over them.
+    JsonObject root(document_, 0, "",
+                    {"format", "joints", "periodic", "start", "goal", "bodies", "ignore", "at_rest", "id", "$schema"},
+                    linkage_shape);
     read_format(root.get("format"));
-    Linkage linkage;
+    Linkage& linkage = problem.linkage;
     linkage.joints = io::read_joints(document_, root.get("joints"));
     std::vector<std::optional<JointMotion>>& motions = linkage.motions;
     read_rest(root, linkage.scene, [&](std::size_t token, const std::string& path, Body&) {
@@ -86,10 +108,9 @@ class SceneReader {
       motions.push_back(io::read_joint_motion(document_, token, path, linkage.joints));
     });
     motions.resize(linkage.scene.bodies.size());
-    return linkage;
+    return root;
   }
 
- private:
   /// Bodies, what is ignored, and the id. `read_motion(token, path, body)` reads what a body's "motion" says.
   template <class ReadMotion>
   void read_rest(const JsonObject& root, Scene& scene, const ReadMotion& read_motion) const {
@@ -419,6 +440,17 @@ Linkage parse_linkage(const std::string& text, const std::string& name, const st
 Linkage read_linkage(const std::string& path, const ReadLimits& limits) {
   return read_text(io::read_text_file(path, limits.max_bytes), path, io::folder_of(path), limits, linkage_shape,
                    &SceneReader::read_linkage);
+}
+
+PathProblem parse_path_problem(const std::string& text, const std::string& name, const std::string& folder,
+                               const ReadLimits& limits) {
+  io::require_size(text, name, limits.max_bytes);
+  return read_text(text, name, folder, limits, path_shape, &SceneReader::read_path_problem);
+}
+
+PathProblem read_path_problem(const std::string& path, const ReadLimits& limits) {
+  return read_text(io::read_text_file(path, limits.max_bytes), path, io::folder_of(path), limits, path_shape,
+                   &SceneReader::read_path_problem);
 }
 
 }  // namespace taut

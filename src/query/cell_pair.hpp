@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "query/pose_model.hpp"
+#include "joints/pose_model.hpp"
 #include "solver/pair_instance.hpp"
 
 namespace taut::internal {

@@ -3,64 +3,17 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
-#include <memory>
 
+#include "joints/linked_pairs.hpp"
 #include "numeric/budget.hpp"
 #include "numeric/progress.hpp"
 #include "query/cell_pair.hpp"
-#include "scene/ignored_pairs.hpp"
 #include "scene/untested.hpp"
-#include "spacetime/first_contact.hpp"
 #include "taut/error.hpp"
 
 namespace taut {
 using namespace internal;
 namespace {
-
-/// How each body hangs on others: itself, its parent, and so on.
-using Chain = std::vector<int>;
-
-void drop_common(Chain& a, Chain& b) {
-  while (!a.empty() && !b.empty() && a.back() == b.back()) {
-    a.pop_back();
-    b.pop_back();
-  }
-}
-
-/// One pair that is asked about: the bodies in their roles, and the chains from them up to what they have in common.
-struct LinkedPair {
-  PairInstance search;
-  Chain of_p, of_q;  ///< the innermost first, without common parents
-  CellPair cells;
-  std::array<BodyId, 2> bodies;
-
-  LinkedPair(const Instance& world, int a, int b, const std::vector<Chain>& chains)
-      : search(world, a, b, Offset::outward), cells(search.geometry, search.trees()), bodies(world.scene_pair(a, b)) {
-    of_p = chains[static_cast<std::size_t>(search.bodies.rings[0]->body())];
-    of_q = chains[static_cast<std::size_t>(search.bodies.rings[1]->body())];
-    drop_common(of_p, of_q);
-  }
-};
-
-/// The cross-sections of two bodies that have a layer in common.
-std::vector<std::array<int, 2>> sections_of_pair(const Instance& world, const std::array<BodyId, 2>& bodies) {
-  std::vector<std::array<int, 2>> pairs;
-  for (const int a : world.sections(bodies[0])) {
-    for (const int b : world.sections(bodies[1])) {
-      if (!world.excluded(a, b)) pairs.push_back({a, b});
-    }
-  }
-  return pairs;
-}
-
-/// Two bodies that no joint moves against each other overlap.
-bool overlap_at_rest(const Instance& world, const std::array<BodyId, 2>& bodies) {
-  const std::vector<std::array<int, 2>> sections = sections_of_pair(world, bodies);
-  return std::any_of(sections.begin(), sections.end(), [&](const std::array<int, 2>& s) {
-    const PairInstance pair(world, s[0], s[1], Offset::inward);
-    return spacetime::overlapping(pair.geometry, pair.trees(), pair.segments()[0], world.start()).has_value();
-  });
-}
 
 /// A cell that is still to be evaluated, with what is known of it.
 struct OpenCell {
@@ -73,9 +26,9 @@ struct OpenCell {
 class EnvelopeSearch {
  public:
   EnvelopeSearch(const Linkage& linkage, const EnvelopeOptions& options)
-      : linkage_(linkage), options_(options), rests_(resting(linkage)), world_(rests_) {
-    scale_ = std::ldexp(1.0, world_.exponent());
-    link();
+      : linkage_(linkage), options_(options), pairs_(linkage) {
+    for (const auto& pair : pairs_.pairs()) cells_.emplace_back(pair->search.geometry, pair->search.trees());
+    answer_.coverage = pairs_.coverage();
   }
 
   Envelope run() {
@@ -85,13 +38,13 @@ class EnvelopeSearch {
       all.box.middle[k] = joint.lo + (joint.hi - joint.lo) / 2;
       all.box.half[k] = std::max(joint.hi - all.box.middle[k], all.box.middle[k] - joint.lo);
     }
-    for (std::uint32_t i = 0; i < pairs_.size(); ++i) all.pairs.push_back(i);
+    for (std::uint32_t i = 0; i < cells_.size(); ++i) all.pairs.push_back(i);
     all.hints.resize(all.pairs.size());
     if (answer_.coverage.is_empty()) return untested();
     // The large ones first. A cell leaves the queue when it is done, so that a limit loses none.
-    if (overlap_) {
-      note(all, CellState::colliding, *overlap_);
-    } else if (pairs_.empty()) {
+    if (pairs_.overlap()) {
+      note(all, CellState::colliding, *pairs_.overlap());
+    } else if (cells_.empty()) {
       note(all, CellState::free, {});
     } else {
       queue_.push_back(std::move(all));
@@ -115,92 +68,21 @@ class EnvelopeSearch {
   }
 
  private:
-  static Scene resting(const Linkage& linkage) { return posed(Linkage{linkage.joints, linkage.scene, {}}, {}); }
-
-  void link() {
-    const std::map<std::string, int> by_name = bodies_by_name(rests_);
-    std::vector<Chain> chains(rests_.bodies.size());
-    for (std::size_t i = 0; i < chains.size(); ++i) {
-      for (int body = static_cast<int>(i);;) {
-        chains[i].push_back(body);
-        const std::string& parent = rests_.bodies[static_cast<std::size_t>(body)].relative_to;
-        if (parent.empty()) break;
-        body = by_name.at(parent);
-      }
-    }
-    choose_pairs(chains);
-  }
-  /// Bodies that no joint moves against each other are tested once, as the scene says, and where there are no others.
-  void choose_pairs(const std::vector<Chain>& chains) {
-    const IgnoredPairs ignored(rests_);
-    const int n = static_cast<int>(chains.size());
-    std::vector<std::array<BodyId, 2>> fixed;
-    bool any_moves = false;
-    Coverage& coverage = answer_.coverage;
-    for (int a = 0; a < n; ++a) {
-      for (int b = a + 1; b < n; ++b) {
-        checkpoint();
-        ++coverage.pairs;
-        const bool apart = move_apart(chains[static_cast<std::size_t>(a)], chains[static_cast<std::size_t>(b)]);
-        any_moves = any_moves || apart;
-        if (ignored.has(a, b)) {
-          ++coverage.ignored;
-        } else if (!apart) {
-          fixed.push_back({a, b});
-        } else {
-          const std::vector<std::array<int, 2>> sections = sections_of_pair(world_, {a, b});
-          ++(sections.empty() ? coverage.layers : coverage.tested);
-          for (const auto& [of_a, of_b] : sections)
-            pairs_.push_back(std::make_unique<LinkedPair>(world_, of_a, of_b, chains));
-        }
-      }
-    }
-    const bool tests_fixed = !any_moves || rests_.at_rest == AtRest::test;
-    coverage.at_rest = tests_fixed ? 0 : fixed.size();
-    if (!tests_fixed) return;
-    for (const auto& pair : fixed) ++(sections_of_pair(world_, pair).empty() ? coverage.layers : coverage.tested);
-    const auto found =
-        std::find_if(fixed.begin(), fixed.end(), [&](const auto& pair) { return overlap_at_rest(world_, pair); });
-    if (found != fixed.end()) overlap_ = *found;
-  }
   Envelope untested() {
     answer_.outcome = Outcome::untested;
     answer_.reason = why_untested(answer_.coverage);
     answer_.undecided = 1;
     return std::move(answer_);
   }
-  const std::array<BodyId, 2>& bodies_of(std::uint32_t pair) const { return pairs_[pair]->bodies; }
-  const JointMotion* motion_of(int body) const {
-    const auto i = static_cast<std::size_t>(body);
-    return i < linkage_.motions.size() && linkage_.motions[i] ? &*linkage_.motions[i] : nullptr;
-  }
-  /// Is there a joint below what two chains have in common?
-  bool move_apart(Chain a, Chain b) const {
-    drop_common(a, b);
-    return moves(a) || moves(b);
-  }
-  bool moves(const Chain& chain) const {
-    return std::any_of(chain.begin(), chain.end(), [this](int body) { return motion_of(body) != nullptr; });
-  }
-  PoseModel pose(const Chain& chain, const JointCell& box) const {
-    PoseModel whole;
-    for (const int body : chain) {
-      if (const JointMotion* motion = motion_of(body)) whole = pose_of(*motion, box, scale_).of(whole);
-    }
-    return whole;
-  }
-  PoseModel between(const LinkedPair& pair, const JointCell& box) const {
-    const PoseModel q = pose(pair.of_q, box);
-    return moves(pair.of_p) ? pose(pair.of_p, box).inverse().of(q) : q;
-  }
+  const std::array<BodyId, 2>& bodies_of(std::uint32_t pair) const { return pairs_[pair].bodies; }
 
   void evaluate(OpenCell& cell) {
     std::array<double, max_joints> effect{};
     OpenCell left{cell.box, cell.share, {}, {}};
     for (std::size_t i = 0; i < cell.pairs.size(); ++i) {
-      const LinkedPair& pair = *pairs_[cell.pairs[i]];
-      const PoseModel seen = between(pair, cell.box);
-      const CellState state = pair.cells.evaluate(seen, cell.hints[i]);
+      const LinkedPair& pair = pairs_[cell.pairs[i]];
+      const PoseModel seen = pairs_.between(pair, cell.box);
+      const CellState state = cells_[cell.pairs[i]].evaluate(seen, cell.hints[i]);
       if (state == CellState::colliding) return note(cell, state, bodies_of(cell.pairs[i]));
       if (state == CellState::free) continue;
       left.pairs.push_back(cell.pairs[i]);
@@ -220,14 +102,8 @@ class EnvelopeSearch {
     const bool is_rounding = left_out <= more_than_rounding * (centre.reach() + seen.rotation.reach() * radius);
     for (std::size_t k = 0; k < effect.size(); ++k) {
       effect[k] += l1_norm(centre.rate[k]) + l1_norm(seen.rotation.rate[k]) * radius;
-      if (!is_rounding && (follows(pair.of_p, k) || follows(pair.of_q, k))) effect[k] += left_out;
+      if (!is_rounding && pairs_.follows(pair, k)) effect[k] += left_out;
     }
-  }
-  bool follows(const Chain& chain, std::size_t joint) const {
-    return std::any_of(chain.begin(), chain.end(), [&](int body) {
-      const JointMotion* motion = motion_of(body);
-      return motion && static_cast<std::size_t>(motion->joint) == joint;
-    });
   }
   double side(const OpenCell& cell, std::size_t k) const {
     const Joint& joint = linkage_.joints[k];
@@ -285,10 +161,10 @@ class EnvelopeSearch {
       JointCell point;
       for (std::size_t k = 0; k < linkage_.joints.size(); ++k)
         point.middle[k] = cell.lo[k] + (cell.hi[k] - cell.lo[k]) / 2;
-      for (const auto& pair : pairs_) {
+      for (std::size_t i = 0; i < cells_.size(); ++i) {
         std::optional<InnerPoint> hint;
-        if (pair->cells.evaluate(between(*pair, point), hint) != CellState::colliding) continue;
-        answer_.witness = {point.middle, pair->bodies};
+        if (cells_[i].evaluate(pairs_.between(pairs_[i], point), hint) != CellState::colliding) continue;
+        answer_.witness = {point.middle, pairs_[i].bodies};
         return;
       }
     }
@@ -296,11 +172,8 @@ class EnvelopeSearch {
 
   const Linkage& linkage_;
   const EnvelopeOptions& options_;
-  Scene rests_;
-  Instance world_;
-  double scale_ = 1;
-  std::vector<std::unique_ptr<LinkedPair>> pairs_;  ///< that joints move against each other
-  std::optional<std::array<BodyId, 2>> overlap_;    ///< of bodies that are fixed to each other, if they are tested
+  LinkedPairs pairs_;
+  std::vector<CellPair> cells_;  ///< of each of these
   std::deque<OpenCell> queue_;
   bool looked_ = false;  ///< at a cell, and so at all pairs
   Envelope answer_;

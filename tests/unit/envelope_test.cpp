@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "query/pose_model.hpp"
+#include "joints/pose_model.hpp"
 #include "support/effort.hpp"
 #include "support/made_world.hpp"
 #include "support/rng.hpp"
@@ -25,8 +25,12 @@ JointMotion random_motion(Rng& rng, int joints) {
   JointMotion motion;
   if (rng.chance(0.7)) {
     motion.kind = Revolute{{rng.real(-1, 1), rng.real(-1, 1)}};
-  } else {
+  } else if (rng.chance(0.5)) {
     motion.kind = Slide{{rng.real(-0.02, 0.02), rng.real(-0.02, 0.02)}};
+  } else {
+    const auto some = [&] { return rng.chance(0.7) ? std::optional(rng.below(joints)) : std::nullopt; };
+    motion.kind = FreeMotion{some(), some(), rng.below(joints), {rng.real(-1, 1), rng.real(-1, 1)}};
+    return motion;
   }
   motion.joint = rng.below(joints);
   motion.times = rng.chance(0.5) ? 1 : rng.real(-2, 2);
@@ -39,6 +43,12 @@ struct ExactPoint {
   long double x, y;
 
   void follow(const JointMotion& motion, const Values& values) {
+    if (const auto* free = std::get_if<FreeMotion>(&motion.kind)) {
+      follow(JointMotion{Revolute{free->pivot}, *free->deg}, values);
+      if (free->x) x += values[static_cast<std::size_t>(*free->x)];
+      if (free->y) y += values[static_cast<std::size_t>(*free->y)];
+      return;
+    }
     const long double value = values[static_cast<std::size_t>(motion.joint)];
     if (const auto* revolute = std::get_if<Revolute>(&motion.kind)) {
       const JointAngle angle = joint_angle_of(motion);

@@ -12,6 +12,7 @@
 #include "taut/check.hpp"
 #include "taut/clearance.hpp"
 #include "taut/io.hpp"
+#include "taut/path.hpp"
 
 namespace taut {
 namespace {
@@ -180,8 +181,44 @@ TEST(ExampleLinkages, AreFreeAndNot) {
   }
 }
 
+/// Of each path problem, what is the answer, in both touch modes.
+struct PathExample {
+  const char* file;
+  PathOutcome outcome;
+};
+const PathExample path_examples[] = {
+    {"paths/arm.json", PathOutcome::path},
+    {"paths/bracket.json", PathOutcome::path},
+    {"paths/piano.json", PathOutcome::path},
+    {"paths/piano_long.json", PathOutcome::none},
+};
+
+TEST(ExamplePaths, HaveTheStatedOutcomes) {
+  for (const PathExample& example : path_examples) {
+    SCOPED_TRACE(example.file);
+    const PathProblem problem = read_path_problem((examples_folder / example.file).string());
+    for (const Touch touch : {Touch::open, Touch::closed}) {
+      PathOptions options;
+      options.touch = touch;
+      const PathAnswer answer = find_path(problem, options);
+      EXPECT_EQ(answer.outcome, example.outcome) << answer.reason;
+      if (answer.outcome == PathOutcome::path) {
+        CheckOptions check_options;
+        check_options.touch = touch;
+        EXPECT_EQ(check(path_scene(problem, answer.waypoints), check_options).outcome, Outcome::free);
+      }
+    }
+  }
+  // Without a turn the bracket stays in its case.
+  PathProblem bracket = read_path_problem((examples_folder / "paths/bracket.json").string());
+  bracket.linkage.joints[2] = {"turn", 0, 0};
+  bracket.periodic = {};
+  EXPECT_EQ(find_path(bracket).outcome, PathOutcome::none);
+}
+
 TEST(ExamplesFolder, HoldsNoSceneThatIsNotStated) {
   std::vector<std::string> stated, found;
+  for (const PathExample& example : path_examples) stated.push_back(example.file);
   for (const LinkageExample& example : linkage_examples) stated.push_back(example.file);
   for (const Example& example : examples) stated.push_back(example.file);
   for (const auto& entry : std::filesystem::recursive_directory_iterator(examples_folder)) {

@@ -30,7 +30,8 @@ export interface LinkedBody {
   parts: [number, number][][][];
   /** Whose frame it is in, by its place among the bodies. */
   parent?: number;
-  motion?: JointMotion;
+  /** The outermost first: a body that moves freely has several. */
+  motion?: JointMotion[];
 }
 
 export interface EnvelopePage {
@@ -66,14 +67,17 @@ function within(parent: Placement, child: Placement): Placement {
   };
 }
 
-function ownPlacement(motion: JointMotion | undefined, values: number[]): Placement {
-  if (!motion) return origin;
+function singlePlacement(motion: JointMotion, values: number[]): Placement {
   const value = motion.times * values[motion.joint]! + motion.plus;
   if (motion.direction) return { ...origin, x: motion.direction[0] * value, y: motion.direction[1] * value };
   const c = Math.cos((value * Math.PI) / 180);
   const s = Math.sin((value * Math.PI) / 180);
   const [px, py] = motion.pivot!;
   return { x: px - c * px + s * py, y: py - s * px - c * py, c, s };
+}
+
+function ownPlacement(motion: JointMotion[] | undefined, values: number[]): Placement {
+  return (motion ?? []).reduce((outer, single) => within(outer, singlePlacement(single, values)), origin);
 }
 
 /** Where a body is for these joint values. */

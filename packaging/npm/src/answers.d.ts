@@ -484,6 +484,26 @@ export interface EnvelopeAnswer {
   coverage: Coverage;
 }
 
+/** Values of joints by their names. */
+export type JointValues = Record<string, number>;
+export interface PathAnswer {
+  id?: Id;
+  outcome: "path" | "none" | "undecided" | "untested";
+  /** Of a path: from the start to the goal; all joints move evenly between two of them. */
+  waypoints?: JointValues[];
+  /** Of an undecided answer: the middle of a cell that would connect the start and the goal, and its sides. */
+  tight?: { values: JointValues; size: JointValues; pair: Pair };
+  /** Only translations were left, and exact signs decided. */
+  exact: boolean;
+  touch: "open" | "closed";
+  clearance?: number;
+  tolerance: number;
+  cell_count: number;
+  reason?: string;
+  cells?: EnvelopeCell[];
+  coverage: Coverage;
+}
+
 /** What taut refuses, or cannot decide. */
 export class TautError extends Error {
   kind: "input" | "undecided" | "internal";

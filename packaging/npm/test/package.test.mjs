@@ -299,6 +299,9 @@ test("its types have all members of scenes and answers, and answers have all tha
   const lift = readFileSync(join(root, "examples/linkages/lift.json"), "utf8");
   for (const cells of [false, true])
     constants.push(["EnvelopeAnswer", "lift", await taut.envelope(lift, { tolerance: 0.05, cells })]);
+  const piano = readFileSync(join(root, "examples/paths/piano.json"), "utf8");
+  for (const cells of [false, true]) constants.push(["PathAnswer", "piano", await taut.path(piano, { cells })]);
+  constants.push(["PathAnswer", "coarse", await taut.path(piano, { tolerance: 1 })]);
   const outcomes = new Set();
   for (const [name, scene] of scenes.filter(([n]) => asked.test(n))) {
     for (const [type, answer] of await answersAbout(scene)) {

@@ -1,7 +1,6 @@
-#include "query/pose_model.hpp"
+#include "joints/pose_model.hpp"
 
 #include <cmath>
-#include <numbers>
 
 #include "numeric/trig.hpp"
 
@@ -60,11 +59,6 @@ JointModel conj(const JointModel& a) {
   return c;
 }
 
-JointAngle joint_angle_of(const JointMotion& motion) {
-  constexpr double degree = std::numbers::pi / 180;
-  return {motion.times * degree, motion.plus * degree};
-}
-
 namespace {
 
 /// exp(i angle): its second derivative has the magnitude of the slope's square.
@@ -84,6 +78,11 @@ JointModel rotation_of(const JointMotion& motion, const JointCell& cell) {
 }  // namespace
 
 PoseModel pose_of(const JointMotion& motion, const JointCell& cell, double scale) {
+  if (std::holds_alternative<FreeMotion>(motion.kind)) {
+    PoseModel pose;
+    for (const JointMotion& single : single_motions(motion)) pose = pose.of(pose_of(single, cell, scale));
+    return pose;
+  }
   if (const auto* revolute = std::get_if<Revolute>(&motion.kind)) {
     const JointModel rotation = rotation_of(motion, cell);
     const JointModel pivot = JointModel::constant({revolute->pivot.x * scale, revolute->pivot.y * scale});

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "geometry/vector.hpp"
+#include "scene/linkage.hpp"
 #include "taut/envelope.hpp"
 
 namespace taut::internal {
@@ -44,11 +45,5 @@ struct PoseModel {
 
 /// Of a body in the frame of its parent. Pivots and directions are multiplied by `scale`, a power of two.
 PoseModel pose_of(const JointMotion& motion, const JointCell& cell, double scale);
-
-/// The angle in radians is slope * value + offset.
-struct JointAngle {
-  double slope = 0, offset = 0;
-};
-JointAngle joint_angle_of(const JointMotion& motion);
 
 }  // namespace taut::internal

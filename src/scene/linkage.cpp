@@ -1,11 +1,37 @@
 // Is this a linkage that can be asked about, and where are its bodies?
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
 
-#include <algorithm>
-#include "query/pose_model.hpp"
+#include "scene/linkage.hpp"
 #include "scene/validate_scene.hpp"
 #include "taut/error.hpp"
+
+namespace taut::internal {
+
+JointAngle joint_angle_of(const JointMotion& motion) {
+  constexpr double degree = std::numbers::pi / 180;
+  return {motion.times * degree, motion.plus * degree};
+}
+
+std::vector<JointMotion> single_motions(const JointMotion& motion) {
+  const auto* free = std::get_if<FreeMotion>(&motion.kind);
+  if (!free) return {motion};
+  std::vector<JointMotion> single;
+  if (free->x) single.push_back({Slide{{1, 0}}, *free->x});
+  if (free->y) single.push_back({Slide{{0, 1}}, *free->y});
+  if (free->deg) single.push_back({Revolute{free->pivot}, *free->deg});
+  return single;
+}
+
+bool follows(const JointMotion& motion, std::size_t joint) {
+  const std::vector<JointMotion> single = single_motions(motion);
+  return std::any_of(single.begin(), single.end(),
+                     [&](const JointMotion& m) { return static_cast<std::size_t>(m.joint) == joint; });
+}
+
+}  // namespace taut::internal
 
 namespace taut {
 using namespace internal;
@@ -16,7 +42,7 @@ const char* const ranges_hint = R"(write "joints": {"lift": [0, 60]}, in degrees
 void validate_joints(const std::vector<Joint>& joints) {
   if (joints.empty() || joints.size() > static_cast<std::size_t>(max_joints))
     throw InputError("joints", "there are " + std::to_string(joints.size()),
-                     "one to three joints can be asked about; let bodies share one by \"times\" and \"plus\"");
+                     "one to four joints can be asked about; let bodies share one by \"times\" and \"plus\"");
   std::set<std::string> names;
   for (const Joint& joint : joints) {
     const std::string place = "joints." + joint.name;
@@ -28,7 +54,7 @@ void validate_joints(const std::vector<Joint>& joints) {
   }
 }
 
-void validate_motion(const JointMotion& motion, const std::vector<Joint>& joints, const std::string& place) {
+void validate_single(const JointMotion& motion, const std::vector<Joint>& joints, const std::string& place) {
   if (motion.joint < 0 || static_cast<std::size_t>(motion.joint) >= joints.size())
     throw InputError(place + ".by", "there is no such joint", "name one of \"joints\"");
   const Joint& joint = joints[static_cast<std::size_t>(motion.joint)];
@@ -44,6 +70,27 @@ void validate_motion(const JointMotion& motion, const std::vector<Joint>& joints
     throw InputError(place, "it turns by more than a million degrees", "give the joint a smaller range");
   if (!turns && vector.x == 0 && vector.y == 0)
     throw InputError(place + ".direction", "it is (0, 0)", "give a direction, of length 1 if the joint is a length");
+}
+
+void validate_motion(const JointMotion& motion, const std::vector<Joint>& joints, const std::string& place) {
+  const std::vector<JointMotion> single = single_motions(motion);
+  if (single.empty())
+    throw InputError(place + ".free", "it follows no joint", R"(write {"free": {"x": "x", "y": "y", "deg": "turn"}})");
+  for (const JointMotion& m : single) validate_single(m, joints, place);
+}
+
+/// Adds what one revolute or slide does at these values. The revolute comes last.
+void add_to(MotionPiece& piece, const JointMotion& motion, double value) {
+  if (const auto* revolute = std::get_if<Revolute>(&motion.kind)) {
+    const JointAngle angle = joint_angle_of(motion);
+    piece.rotation = AngleRotation{{angle.slope * value + angle.offset}};
+    piece.pivot = revolute->pivot;
+    return;
+  }
+  const Point& direction = std::get<Slide>(motion.kind).direction;
+  const double way = motion.times * value + motion.plus;
+  piece.x = {(piece.x.empty() ? 0 : piece.x[0]) + way * direction.x};
+  piece.y = {(piece.y.empty() ? 0 : piece.y[0]) + way * direction.y};
 }
 
 /// As it is, without motions.
@@ -67,23 +114,13 @@ void validate(const Linkage& linkage) {
   validate_polygons(resting_scene(linkage));
 }
 
-Scene posed(const Linkage& linkage, const std::array<double, max_joints>& values) {
+Scene posed(const Linkage& linkage, const JointValues& values) {
   Scene scene = resting_scene(linkage);
   for (std::size_t i = 0; i < linkage.motions.size(); ++i) {
     if (!linkage.motions[i]) continue;
-    const JointMotion& motion = *linkage.motions[i];
-    const double value = values[static_cast<std::size_t>(motion.joint)];
     MotionPiece piece;
-    if (const auto* revolute = std::get_if<Revolute>(&motion.kind)) {
-      const JointAngle angle = joint_angle_of(motion);
-      piece.rotation = AngleRotation{{angle.slope * value + angle.offset}};
-      piece.pivot = revolute->pivot;
-    } else {
-      const Point& direction = std::get<Slide>(motion.kind).direction;
-      const double way = motion.times * value + motion.plus;
-      piece.x = {way * direction.x};
-      piece.y = {way * direction.y};
-    }
+    for (const JointMotion& motion : single_motions(*linkage.motions[i]))
+      add_to(piece, motion, values[static_cast<std::size_t>(motion.joint)]);
     scene.bodies[i].motion.pieces = {piece};
   }
   return scene;

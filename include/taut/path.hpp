@@ -1,0 +1,99 @@
+// Is there any way from one combination of joint values to another?
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "taut/check.hpp"
+#include "taut/envelope.hpp"
+
+namespace taut {
+
+/// A start, a goal, and what may move in between.
+struct PathProblem {
+  Linkage linkage;
+  /// Joints whose period is the length of their range: each body that follows one must turn by whole turns over it.
+  std::array<bool, max_joints> periodic{};
+  JointValues start{};
+  /// The least and largest value of each joint at the goal; a joint without is free there.
+  std::array<std::optional<std::array<double, 2>>, max_joints> goal{};
+  /// The goal is instead: the axis-aligned box of each body that moves and the box of each body that does not have no
+  /// common interior. A body moves if it, or one of its parents, follows a joint.
+  bool goal_outside = false;
+};
+
+/// What is known about ways from the start to the goal.
+enum class PathOutcome {
+  path,       ///< there is one: `waypoints`
+  none,       ///< proved: no continuous way of any shape within the joints' ranges
+  undecided,  ///< neither was shown at this tolerance, or before a limit
+  untested,   ///< no pair of bodies was tested, so there is no verdict; `reason` says why
+};
+
+/// "path", "none", "undecided" or "untested".
+const char* to_string(PathOutcome outcome);
+
+/// Where it was too tight to decide.
+struct TightPlace {
+  JointValues values{};          ///< the middle of a cell that would connect the start and the goal
+  JointValues size{};            ///< the sides of that cell
+  std::array<BodyId, 2> pair{};  ///< a pair that is neither apart nor overlapping there
+};
+
+/// The answer of find_path().
+struct PathAnswer {
+  PathOutcome outcome = PathOutcome::undecided;
+  /// Of a path: from the start to the goal. Between two of them all joints move evenly. Every instant is proved free:
+  /// check() of path_scene() is. Joints with a period may leave their range, as 370 after 350.
+  std::vector<JointValues> waypoints;
+  /// Of an undecided answer, unless a limit came first.
+  std::optional<TightPlace> tight;
+  /// Only translations were left, and exact signs decided: no tolerance mattered.
+  bool exact = false;
+  /// The partition of all combinations as the search left it: it is fine where that mattered only. Cells that were not
+  /// decided, and need not be, are `undecided`. Empty if the answer is exact.
+  std::vector<EnvelopeCell> cells;
+  std::string reason;  ///< why it is undecided or untested; empty otherwise
+  Coverage coverage;
+};
+
+/// How to ask.
+struct PathOptions {
+  /// open: bodies may touch all of the way. closed: at no instant.
+  Touch touch = Touch::open;
+  /// If positive: bodies keep at least this distance, in the scene's units, all of the way, whatever `touch` says.
+  double clearance = 0;
+  /// Cells no side of which is longer than this share of its joint's range are not divided any more. In [1e-9, 1].
+  double tolerance = 1e-4;
+  /// Stop with `undecided` when there are so many cells: some 700 bytes each.
+  std::uint64_t max_cells = 4'000'000;
+  Limits limits = {};
+};
+
+/// Searches for a way from the start to the goal along which no tested pair of bodies collides, or shows that there is
+/// none. Every two bodies are tested that are not ignored and that joints move against each other; others once, if the
+/// scene says so.
+///
+/// Where one body, or several fixed to each other, only translates in the plane or along a line, and no clearance is
+/// given, exact signs decide, tangencies too. Else the box of all joint values is divided into cells that are free,
+/// that collide, and others, which are divided further where they would connect the start and the goal. `none` is
+/// shown by cells that collide for all values in them, on every way out of what the start reaches.
+///
+/// Throws InputError, also if the start collides (`closed`: touches; with a clearance: is too near), or the goal does
+/// and is one combination.
+PathAnswer find_path(const PathProblem& problem, const PathOptions& options = {});
+
+/// Throws InputError unless the problem can be asked about.
+void validate(const PathProblem& problem);
+
+/// An ordinary scene in which the bodies go along the waypoints: one unit of time from each to the next.
+Scene path_scene(const PathProblem& problem, const std::vector<JointValues>& waypoints);
+
+/// The answer of find_path() as `taut path --json` prints it; `cells`: with the whole partition.
+std::string path_json(const PathProblem& problem, const PathAnswer& answer, const PathOptions& options,
+                      bool cells = false);
+
+}  // namespace taut

@@ -1,0 +1,175 @@
+"""Ways from a start to a goal, and proofs that there are none."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any, Optional, Union
+
+from . import _taut2d
+from ._numbers import number, point
+from ._verdict import Verdict, bodies_text, names
+from .answers import Coverage, _pair
+from .errors import InputError
+from .linkages import EnvelopeCell, Linkage, _cells_from
+from .options import ask
+from .scene import Scene, _plain_places, _scene_text
+from .words import PathOutcome, Touch
+
+__all__ = ["PathAnswer", "PathProblem", "TightPlace", "path"]
+
+
+@dataclass(frozen=True)
+class PathProblem:
+    """A start, a goal, and what may move in between.
+
+    ``linkage``: bodies and up to four joints; a body that may move in all three ways follows Free.
+    ``start``: {"x": 1, "y": 1, "turn": 0}: each joint's value.
+    ``goal``: {"x": (8, 9), "y": 7}: values or ranges; joints that are not named are free. Or "outside": the box of each body
+    that moves and the box of each that does not have no common interior.
+    ``periodic``: names of joints whose period is the length of their range, such as a turn from 0 to 360.
+    """
+
+    linkage: Linkage
+    start: Mapping[str, float]
+    goal: Union[Mapping[str, Union[float, Sequence[float]]], str]
+    periodic: Sequence[str] = ()
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.linkage, Linkage):
+            raise InputError("linkage", f"expected a Linkage, found {type(self.linkage).__name__}")
+        if not isinstance(self.start, Mapping):
+            raise InputError("start", f"expected a dict, found {type(self.start).__name__}", 'write {"x": 1}')
+        object.__setattr__(self, "start", {name: number(v, f"start.{name}") for name, v in self.start.items()})
+        if isinstance(self.goal, Mapping):
+            object.__setattr__(self, "goal", {
+                name: point(v, f"goal.{name}", "write (lowest, highest)") if isinstance(v, Sequence) else number(v, f"goal.{name}")
+                for name, v in self.goal.items()})
+        elif self.goal != "outside":
+            raise InputError("goal", f"expected a dict or \"outside\", found {self.goal!r}", 'write {"x": (8, 9)}')
+        object.__setattr__(self, "periodic", tuple(self.periodic))
+
+    def to_json(self) -> str:
+        """The problem in the format taut-scene/1, on one line: what ``taut path`` reads."""
+        object = json.loads(self.linkage.to_json())
+        if self.periodic:
+            object["periodic"] = list(self.periodic)
+        object["start"] = dict(self.start)
+        object["goal"] = self.goal if isinstance(self.goal, str) else {
+            name: list(v) if isinstance(v, tuple) else v for name, v in self.goal.items()}
+        return json.dumps(object, separators=(",", ":"), ensure_ascii=False, allow_nan=False)
+
+    @classmethod
+    def from_json(cls, text: str, *, folder: Union[str, os.PathLike[str]] = ".") -> PathProblem:
+        """The problem that a JSON text describes. Raises InputError with line and column if it is not such a text."""
+        return cls._read(text, "scene", folder)
+
+    @classmethod
+    def load(cls, path: Union[str, os.PathLike[str]]) -> PathProblem:
+        """Reads a file. Raises InputError with line and column if it is not right, and OSError if it cannot be read."""
+        path = os.fspath(path)
+        with open(path, encoding="utf-8") as file:
+            return cls._read(file.read(), path, os.path.dirname(path) or os.curdir)
+
+    @classmethod
+    def _read(cls, text: str, name: str, folder: Union[str, os.PathLike[str]]) -> PathProblem:
+        _taut2d.read_problem(_scene_text(text, name, folder))
+        object = json.loads(text)
+        return cls(Linkage._read(text, name, folder), object["start"], object["goal"], object.get("periodic", ()))
+
+    def save(self, path: Union[str, os.PathLike[str]]) -> None:
+        """Writes to_json() and a line break into a file."""
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(self.to_json() + "\n")
+
+    def scene(self, waypoints: Sequence[Mapping[str, float]]) -> Scene:
+        """An ordinary scene in which the bodies go along waypoints, one unit of time from each to the next: what check()
+        and prove() take."""
+        rows = [[float(at[joint]) for joint in self.linkage.joints] for at in waypoints]
+        with _plain_places():
+            text = _taut2d.path_scene(_scene_text(self.to_json(), "scene", self.linkage.folder), rows)
+        return Scene.from_json(text, folder=self.linkage.folder)
+
+
+@dataclass(frozen=True)
+class TightPlace:
+    """Where it was too tight to decide: the middle of a box of joint values that would connect the start and the goal, its
+    sides, and two bodies that are neither apart nor overlapping there."""
+
+    values: Mapping[str, float]
+    size: Mapping[str, float]
+    pair: tuple[str, str]
+
+
+@dataclass(frozen=True)
+class PathAnswer(Verdict):
+    """Is there a way? ``outcome``: "path": along ``waypoints``, between which all joints move evenly; each instant is proved
+    free. "none": proved, for ways of any shape within the joints' ranges. "undecided": neither was shown, because it is
+    tight at ``tight``, or for another ``reason``. "untested": no pair was tested. ``exact``: only translations were left,
+    and exact signs decided. ``cells``: the partition of all joint values, if it was asked for. ``coverage``: which pairs
+    that is about. ``json`` is what ``taut path --json`` prints."""
+
+    outcome: PathOutcome
+    waypoints: tuple[Mapping[str, float], ...]
+    tight: Optional[TightPlace]
+    exact: bool
+    tolerance: float
+    cell_count: int
+    cells: tuple[EnvelopeCell, ...]
+    reason: Optional[str]
+    coverage: Coverage
+    json: str = field(repr=False, compare=False)
+
+    _instead = 'answer.outcome == "path"'
+
+    def _words(self) -> tuple[str, str]:
+        if self.outcome == "path":
+            n = len(self.waypoints) - 1
+            return f"{n} straight segment{'' if n == 1 else 's'} from the start to the goal", f"{bodies_text(self.coverage)} collide on it"
+        return "no way leads from the start to the goal", ""
+
+    def _undecided_words(self) -> tuple[str, str]:
+        if self.tight is None:
+            return "", self.reason or ""
+        at = ", ".join(f"{joint} = {value:.9g}" for joint, value in self.tight.values.items())
+        return self.reason or "", f"{names(self.tight.pair)} about {at}"
+
+
+def _tight_from(value: Any) -> Optional[TightPlace]:
+    if value is None:
+        return None
+    return TightPlace({k: float(v) for k, v in value["values"].items()}, {k: float(v) for k, v in value["size"].items()},
+                      _pair(value["pair"]))
+
+
+def _path_from_json(text: str) -> PathAnswer:
+    value = json.loads(text)
+    waypoints = tuple({k: float(v) for k, v in at.items()} for at in value.get("waypoints", ()))
+    return PathAnswer(value["outcome"], waypoints, _tight_from(value.get("tight")), value["exact"], float(value["tolerance"]),
+                      value["cell_count"], _cells_from(value), value.get("reason"), Coverage(**value["coverage"]), text)
+
+
+def path(problem: PathProblem, *, touch: Touch = "open", clearance: float = 0.0, tolerance: float = 1e-4,
+         max_cells: int = 4_000_000, cells: bool = False, max_seconds: Optional[float] = None) -> PathAnswer:
+    """Is there a way from the start to the goal on which nothing collides?
+
+    The answer is a way, each instant of which is proved free, or the proof that there is none. Boxes of joint values are
+    divided where they would connect the start and the goal, until they are free or collide for all values in them. Where
+    one body only translates along the axes, exact signs decide.
+
+    ``touch``: "open": bodies may touch all of the way; "closed": never. ``clearance``: keep at least this distance all of
+    the way, whatever ``touch`` says. ``tolerance``: boxes are divided down to this share of each joint's range, from 1e-9 to
+    1. ``max_cells``, ``max_seconds``: undecided when there are so many boxes, or after so much wall time. ``cells``: hand out
+    the boxes. Raises InputError for a problem that makes no sense, and where the start, or a goal that is one combination,
+    collides.
+    """
+    if not isinstance(problem, PathProblem):
+        raise InputError("problem", f"expected a PathProblem, found {type(problem).__name__}",
+                         "PathProblem.load(path) reads a file, and PathProblem(linkage, start, goal) makes one")
+    with _plain_places():
+        text = _scene_text(problem.to_json(), "scene", problem.linkage.folder)
+        answer, _, _ = ask("path", text, touch=touch, clearance=clearance, tolerance=tolerance, max_cells=max_cells,
+                           cells=cells, max_seconds=max_seconds)
+        return _path_from_json(answer)

@@ -1,0 +1,67 @@
+"""Ways and proofs that there are none: the command's bytes, errors, scenes of ways."""
+
+import pathlib
+import subprocess
+
+import pytest
+import taut2d
+
+examples = pathlib.Path(__file__).resolve().parents[2] / "examples" / "paths"
+
+
+def door(width):
+    table = taut2d.Body("table", [(-1, -0.5), (1, -0.5), (1, 0.5), (-1, 0.5)], taut2d.Free("x", "y", "turn"))
+    wall = taut2d.Body("wall", [taut2d.Part([(0, width / 2), (0.2, width / 2), (0.2, 4), (0, 4)]),
+                                taut2d.Part([(0, -4), (0.2, -4), (0.2, -width / 2), (0, -width / 2)])])
+    room = taut2d.Linkage([table, wall], {"x": (-3, 3), "y": (-2, 2), "turn": (0, 360)})
+    return taut2d.PathProblem(room, {"x": -2, "y": 0.5, "turn": 90}, {"x": (1.5, 3)}, ["turn"])
+
+
+def test_a_way_is_an_ordinary_scene():
+    for touch, clearance in (("open", 0), ("closed", 0), ("open", 0.05)):
+        answer = taut2d.path(door(1.2), touch=touch, clearance=clearance)
+        assert answer.outcome == "path" and answer.waypoints[0] == {"x": -2, "y": 0.5, "turn": 90}
+        assert answer.waypoints[-1]["x"] >= 1.5 and not answer.exact and answer.cells == ()
+        scene = door(1.2).scene(answer.waypoints)
+        assert scene.time[1] == len(answer.waypoints) - 1
+        assert taut2d.check(scene, touch=touch).outcome == "free"
+        if clearance:
+            assert taut2d.check_clearance(scene, clearance).outcome == "free"
+
+
+def test_none_and_undecided():
+    none = taut2d.path(door(0.95), cells=True)
+    assert none.outcome == "none" and none.waypoints == () and "colliding" in {cell.state for cell in none.cells}
+    assert str(none).startswith("none: no way")
+    tight = taut2d.path(door(1), tolerance=0.02)
+    assert tight.outcome == "undecided" and tight.tight.pair == ("table", "wall") and "wall" in str(tight)
+    assert taut2d.path(door(0.95), max_cells=5).outcome == "undecided"
+    assert taut2d.path(door(0.95), max_seconds=0).outcome == "undecided"
+
+
+@pytest.mark.parametrize("name, code", [("arm", 0), ("bracket", 0), ("piano", 0), ("piano_long", 1)])
+def test_equals_the_command(taut, tmp_path, name, code):
+    path = examples / f"{name}.json"
+    printed = subprocess.run([taut, "path", "--json", path], capture_output=True, text=True)
+    assert printed.returncode == code
+    problem = taut2d.PathProblem.load(path)
+    assert taut2d.path(problem).json + "\n" == printed.stdout
+    again = tmp_path / "again.json"
+    problem.save(again)
+    assert taut2d.PathProblem.load(again) == problem == taut2d.PathProblem.from_json(problem.to_json())
+
+
+def test_errors():
+    problem = door(1.2)
+    for change in (dict(goal="inside"), dict(goal={"x": "far"}), dict(start={"x": "near"}), dict(start=[1]), dict(linkage=3)):
+        with pytest.raises(taut2d.InputError):
+            taut2d.PathProblem(**{**vars(problem), **change})
+    for change in (dict(start={"x": 0}), dict(start={"x": 0, "y": 2, "turn": 0}), dict(goal={"z": 1}), dict(periodic=["x"])):
+        with pytest.raises(taut2d.InputError):
+            taut2d.path(taut2d.PathProblem(**{**vars(problem), **change}))
+    with pytest.raises(taut2d.InputError):
+        taut2d.path(problem.linkage)
+    with pytest.raises(taut2d.InputError):
+        taut2d.Free()
+    with pytest.raises(taut2d.InputError):
+        taut2d.path(problem, tolerance=0)

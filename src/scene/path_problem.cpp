@@ -1,0 +1,92 @@
+// Is this a problem that can be asked about, and where are its bodies along a way?
+#include <algorithm>
+#include <cmath>
+
+#include "scene/linkage.hpp"
+#include "taut/error.hpp"
+#include "taut/motions.hpp"
+#include "taut/path.hpp"
+
+namespace taut {
+using namespace internal;
+namespace {
+
+/// Bodies have to be where they were after a period.
+void validate_period(const PathProblem& problem, std::size_t joint) {
+  const Joint& j = problem.linkage.joints[joint];
+  for (std::size_t i = 0; i < problem.linkage.motions.size(); ++i) {
+    if (!problem.linkage.motions[i]) continue;
+    for (const JointMotion& motion : single_motions(*problem.linkage.motions[i])) {
+      if (static_cast<std::size_t>(motion.joint) != joint) continue;
+      const double turns = motion.times * (j.hi - j.lo) / 360;
+      if (std::holds_alternative<Revolute>(motion.kind) && turns == std::floor(turns) && turns != 0) continue;
+      throw InputError(
+          "periodic." + j.name,
+          "over its range, body \"" + problem.linkage.scene.bodies[i].name + "\" does not come back to where it was",
+          "give the joint a range of 360 degrees, or leave it out of \"periodic\"");
+    }
+  }
+}
+
+void validate_start(const PathProblem& problem) {
+  const std::vector<Joint>& joints = problem.linkage.joints;
+  for (std::size_t k = 0; k < joints.size(); ++k) {
+    if (problem.start[k] >= joints[k].lo && problem.start[k] <= joints[k].hi) continue;
+    throw InputError("start." + joints[k].name, "it is not within the joint's range",
+                     "give a value in the range, or widen it");
+  }
+}
+
+void validate_goal(const PathProblem& problem) {
+  const std::vector<Joint>& joints = problem.linkage.joints;
+  bool any = problem.goal_outside;
+  for (std::size_t k = 0; k < joints.size(); ++k) {
+    if (!problem.goal[k]) continue;
+    any = true;
+    const auto& [lo, hi] = *problem.goal[k];
+    if (!std::isfinite(lo) || !std::isfinite(hi) || hi < lo || hi < joints[k].lo || lo > joints[k].hi)
+      throw InputError("goal." + joints[k].name, "no value of it is within the joint's range",
+                       "give a value in the range, or widen it");
+  }
+  if (!any) throw InputError("goal", "it names no joint", R"(write "goal": {"x": [8, 9]}, or "goal": "outside")");
+}
+
+}  // namespace
+
+void validate(const PathProblem& problem) {
+  validate(problem.linkage);
+  for (std::size_t k = 0; k < problem.linkage.joints.size(); ++k) {
+    if (problem.periodic[k]) validate_period(problem, k);
+  }
+  validate_start(problem);
+  validate_goal(problem);
+}
+
+Scene path_scene(const PathProblem& problem, const std::vector<JointValues>& waypoints) {
+  Scene scene = problem.linkage.scene;
+  scene.start = 0;
+  scene.end = static_cast<double>(waypoints.size()) - 1;
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    scene.bodies[i].motion = {};
+    if (i >= problem.linkage.motions.size() || !problem.linkage.motions[i]) continue;
+    std::vector<Keyframe> frames(waypoints.size());
+    Point pivot;
+    for (const JointMotion& motion : single_motions(*problem.linkage.motions[i])) {
+      if (const auto* revolute = std::get_if<Revolute>(&motion.kind)) pivot = revolute->pivot;
+      for (std::size_t n = 0; n < waypoints.size(); ++n) {
+        const double value = motion.times * waypoints[n][static_cast<std::size_t>(motion.joint)] + motion.plus;
+        frames[n].t = static_cast<double>(n);
+        if (const auto* slide = std::get_if<Slide>(&motion.kind)) {
+          frames[n].x += value * slide->direction.x;
+          frames[n].y += value * slide->direction.y;
+        } else {
+          frames[n].angle_deg = value;
+        }
+      }
+    }
+    scene.bodies[i].motion = from_keyframes(frames, pivot);
+  }
+  return scene;
+}
+
+}  // namespace taut
