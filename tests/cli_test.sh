@@ -620,6 +620,15 @@ expect 3 'time limit' '' path --max-seconds 0 "$examples/paths/piano.json"
 expect 2 '' 'tolerance: it is not between' path --tolerance 0 "$examples/paths/piano.json"
 expect 2 '' '"start" is missing' path "$examples/linkages/lift.json"
 expect 1 'COLLIDES' '' envelope --tolerance 0.2 "$examples/paths/bracket.json"
+expect 1 'proof in none.proof, scene [0-9a-f]{16}$' '' prove "$examples/paths/piano_long.json" -o none.proof
+expect 0 '^VALID  piano x walls' '' verify "$examples/paths/piano_long.json" none.proof
+expect 0 '"valid":true,"outcome":"none","cells":' '' verify --json "$examples/paths/piano_long.json" none.proof
+expect 1 '^NOT VALID.*' '' verify "$examples/paths/piano.json" none.proof
+expect 2 '' 'log is about paths' verify --expect free "$examples/paths/piano_long.json" none.proof
+expect 2 '' 'has a time instead of joints' verify free.json none.proof
+expect 0 'no proof was written' '' prove "$examples/paths/piano.json" -o way.proof
+[ -e way.proof ] && { echo "FAILED: a proof of a way that is none"; failures=$((failures + 1)); }
+expect 2 '' 'about joints' prove --tolerance 0.1 free.json -o free.proof
 expect 0 'proof in world.proof' '' prove -o world.proof world.json
 expect 0 '^VALID' '' verify world.json world.proof --expect free
 expect 1 'NOT VALID' '' verify three.json world.proof

@@ -9,9 +9,11 @@
 #include "io/atomic_file.hpp"
 #include "io/terminal_text.hpp"
 #include "margin_report.hpp"
+#include "path_report.hpp"
 #include "report.hpp"
 #include "scene_argument.hpp"
 #include "taut/io.hpp"
+#include "taut/path_proof.hpp"
 #include "taut/proof.hpp"
 #include "terminal.hpp"
 #include "watched_run.hpp"
@@ -25,7 +27,7 @@ struct ProveArguments {
   SceneSource scene;
   std::string output;
   CheckOptions options;
-  std::optional<double> clearance;
+  std::optional<double> clearance, tolerance;
   bool json = false, allow_untested = false;
 };
 
@@ -60,6 +62,34 @@ int run_prove_clearance(const ProveArguments& arguments) {
   return exit_code(answer.outcome, arguments.allow_untested);
 }
 
+/// Of a scene with joints: the proof that there is no way from its start to its goal.
+int run_prove_path(const ProveArguments& arguments) {
+  const PathProblem problem = load_path_problem(arguments.scene);
+  PathOptions options;
+  options.touch = arguments.options.touch;
+  options.clearance = arguments.clearance.value_or(0);
+  if (arguments.tolerance) options.tolerance = *arguments.tolerance;
+  options.limits = arguments.options.limits;
+  options.limits.stop = stop_on_signals();
+  io::AtomicFile file(arguments.output);
+  std::optional<Progress> progress(std::in_place);
+  const PathAnswer answer =
+      within_file(arguments.scene.path, [&] { return prove_path(problem, file.stream(), options); });
+  progress.reset();
+  const bool proof = answer.outcome == PathOutcome::none;
+  if (proof) file.commit();
+  if (arguments.json) {
+    if (!proof) fmt::print(stderr, "taut: {}\n", not_written("proof", arguments.output));
+    print_text(path_json(problem, answer, options) + "\n");
+  } else {
+    print_text(path_in_words(problem, answer));
+    print_text(proof ? "  proof in " + io::line_for_terminal(arguments.output) + ", scene " +
+                           to_hex(path_fingerprint(problem)).substr(0, 16) + "\n"
+                     : "  " + not_written("proof", arguments.output) + "\n");
+  }
+  return exit_code(answer.outcome, arguments.allow_untested);
+}
+
 int run_prove(const ProveArguments& arguments) {
   const Scene scene = load_scene(arguments.scene);
   io::AtomicFile file(arguments.output);
@@ -85,6 +115,10 @@ void add_prove(const Command& app, Action& action) {
   command.add_option("-o,--output", arguments->output, "the proof log to write").required().value("FILE");
   command.add_option("--clearance", arguments->clearance, "prove that bodies keep the distance C, or when they do not")
       .value("C");
+  command
+      .add_option("--tolerance", arguments->tolerance,
+                  "of a scene with joints: divide cells down to this share of each range (1e-4)")
+      .value("X");
   command.add_flag("--json", arguments->json, "print the answer as one JSON object");
   command.footer(
       "Example:\n"
@@ -93,14 +127,21 @@ void add_prove(const Command& app, Action& action) {
       "The proof of two bodies is the one of the engine that answers first: the way of a tiling (--engine kinetic), "
       "or\n"
       "separations (--engine spacetime, and scenes of more bodies). That of bodies with curves is polygons around and\n"
-      "within them, and such proofs about these.\n"
+      "within them, and such proofs about these. Of a scene with joints, a start and a goal it is proved that there "
+      "is\n"
+      "no way; for the proof of a way, prove the scene that `taut path -o` writes.\n"
       "\n"
       "Exit codes as for `taut check`. An undecided run proves what it has done. If a limit or Ctrl-C stops the\n"
       "proof of two polygons itself, the log proves a part of the time, and the answer says which; of more bodies, "
       "and\n"
       "of curves, there is then no log.\n");
   command.on_chosen([&action, arguments] {
-    action = [arguments] { return arguments->clearance ? run_prove_clearance(*arguments) : run_prove(*arguments); };
+    action = [arguments] {
+      if (has_joints(arguments->scene)) return run_prove_path(*arguments);
+      if (arguments->tolerance)
+        throw InputError("--tolerance", "it is about joints, and the scene has a time", "leave it out");
+      return arguments->clearance ? run_prove_clearance(*arguments) : run_prove(*arguments);
+    };
   });
 }
 

@@ -4,6 +4,7 @@
 
 #include <fstream>
 #include <iostream>
+#include <sstream>
 
 #include "coverage_text.hpp"
 #include "feature_text.hpp"
@@ -15,6 +16,7 @@
 #include "taut/error.hpp"
 #include "taut/io.hpp"
 #include "taut/motions.hpp"
+#include "taut/path_proof.hpp"
 #include "taut/proof.hpp"
 #include "terminal.hpp"
 
@@ -98,14 +100,20 @@ std::string valid_json(const Scene& scene, const Verified& v, const Expectation&
   return s + "\n";
 }
 
-Verified verify_file(const Scene& scene, const std::string& log) {
-  const Progress progress;
-  if (log == "-") return verify(scene, std::cin);
+/// Calls `read(stream)` with the log.
+template <class Read>
+auto with_log(const std::string& log, const Read& read) {
+  if (log == "-") {
+    // It is looked at twice.
+    std::stringstream all;
+    all << std::cin.rdbuf();
+    return read(all);
+  }
   io::open_regular_file(log);  // says what is wrong
   std::ifstream file(log, std::ios::binary);
   if (file.peek() == std::ifstream::traits_type::eof())
     throw InputError(log, "the file is empty", "`taut prove` writes proofs");
-  return verify(scene, file);
+  return read(file);
 }
 
 /// There is no result: the log is not valid, or was not read to its end.
@@ -118,11 +126,12 @@ int report_failure(const Scene& scene, bool json, bool refuted, const std::strin
   return refuted ? exit_not_proved : exit_time_is_up;
 }
 
-int report_log(const VerifyArguments& arguments, const Scene& scene) {
+int report_log(const VerifyArguments& arguments, const Scene& scene, std::istream& log) {
   const bool json = arguments.json;
   try {
     const Budget scope(Limits{arguments.max_seconds});
-    const Verified verified = verify_file(scene, arguments.proof);
+    const Progress progress;
+    const Verified verified = verify(scene, log);
     const bool met = is_met(arguments.expected, scene, verified);
     if (json) {
       print_text(valid_json(scene, verified, arguments.expected, met));
@@ -134,6 +143,33 @@ int report_log(const VerifyArguments& arguments, const Scene& scene) {
     return report_failure(scene, json, true, error.what());
   } catch (const Interrupted& limit) {
     return report_failure(scene, json, false, limit.reason);
+  }
+}
+
+/// What a log about paths proves: always that there is no way.
+int report_path_log(const VerifyArguments& arguments, const PathProblem& problem, std::istream& log) {
+  if (arguments.expected.any())
+    throw InputError("--expect", "the log is about paths: that there is no way is all that it can prove",
+                     "leave out --expect and what goes with it");
+  const Scene& bodies = problem.linkage.scene;
+  try {
+    const Budget scope(Limits{arguments.max_seconds});
+    const Progress progress;
+    const VerifiedPath v = verify_path(problem, log);
+    if (arguments.json) {
+      print_text(verified_path_json(problem, v) + "\n");
+    } else {
+      print_text(fmt::format(
+          "VALID  {}\n  no way from the start to the goal{}\n  {} cells, {} shown to collide, {} reached, scene "
+          "{:.16}\n",
+          pair_text(bodies), v.clearance > 0 ? fmt::format(" that keeps {}", v.clearance) : "", v.cells, v.colliding,
+          v.reached, to_hex(v.fingerprint)));
+    }
+    return exit_proved;
+  } catch (const ProofError& error) {
+    return report_failure(bodies, arguments.json, true, error.what());
+  } catch (const Interrupted& limit) {
+    return report_failure(bodies, arguments.json, false, limit.reason);
   }
 }
 
@@ -174,14 +210,26 @@ void add_verify_options(const Command& command, VerifyArguments& arguments, cons
 int verify_and_report(const VerifyArguments& arguments) {
   if (arguments.scene.path == "-" && arguments.proof == "-")
     throw InputError("", "the scene and the proof cannot both come from standard input", "name one of the files");
-  const Scene scene = load_scene(arguments.scene);
-  try {
-    validate(arguments.expected, scene);
-    return report_log(arguments, scene);
-  } catch (const InputError& error) {
-    const bool about_scene = error.place() != arguments.proof && error.place() != "--until";
-    throw about_scene ? error.within(display_name(arguments.scene.path)) : error;
-  }
+  // What is wrong with what was read is said with its file.
+  const auto within_scene = [&](const auto& report) {
+    try {
+      return report();
+    } catch (const InputError& error) {
+      const bool about_scene = error.place() != arguments.proof && error.place().rfind("--", 0) != 0;
+      throw about_scene ? error.within(display_name(arguments.scene.path)) : error;
+    }
+  };
+  return with_log(arguments.proof, [&](std::istream& log) {
+    if (is_path_log(log)) {
+      const PathProblem problem = load_path_problem(arguments.scene);
+      return within_scene([&] { return report_path_log(arguments, problem, log); });
+    }
+    const Scene scene = load_scene(arguments.scene);
+    return within_scene([&] {
+      validate(arguments.expected, scene);
+      return report_log(arguments, scene, log);
+    });
+  });
 }
 
 }  // namespace taut::cli

@@ -27,6 +27,7 @@
 //   taut/mechanism.hpp   bodies on pins and slides, also in closed loops; taut/mechanism_motion.hpp: how do they move?
 //   taut/envelope.hpp    for which combinations of joint values do bodies keep apart?
 //   taut/path.hpp        is there any way from a start to a goal?
+//   taut/path_proof.hpp  proofs that there is none
 //   taut/cells.hpp       which cells of a grid does a moving body touch?
 //   taut/proof.hpp       the answers with a proof, and the check of a proof
 //   taut/coverage.hpp    which pairs of bodies an answer is about
@@ -74,6 +75,7 @@
 #include "taut/motions.hpp"
 #include "taut/outline.hpp"
 #include "taut/path.hpp"
+#include "taut/path_proof.hpp"
 #include "taut/pose.hpp"
 #include "taut/proof.hpp"
 #include "taut/scene.hpp"

@@ -2,6 +2,7 @@
 #include "io/answer_json.hpp"
 
 #include "io/answer_writer.hpp"
+#include "taut/path_proof.hpp"
 #include "taut/proof.hpp"
 
 namespace taut::internal {
@@ -121,6 +122,18 @@ std::string verified_json(const Scene& scene, const Verified& proved) {
     json.member("separations", proved.separations);
     if (proved.kind == ProofKind::curves) json.member("segments", proved.segments);
     json.coverage(proved.coverage);
+    json.member("scene_sha256", to_hex(proved.fingerprint));
+  });
+}
+
+std::string verified_path_json(const PathProblem& problem, const VerifiedPath& proved) {
+  return answer_text(problem.linkage.scene, [&](AnswerWriter& json) {
+    json.member("valid", true);
+    json.member("outcome", to_string(PathOutcome::none));
+    if (proved.clearance > 0) json.member("clearance", proved.clearance);
+    json.member("cells", proved.cells);
+    json.member("colliding", proved.colliding);
+    json.member("reached", proved.reached);
     json.member("scene_sha256", to_hex(proved.fingerprint));
   });
 }

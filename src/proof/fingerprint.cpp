@@ -14,6 +14,7 @@
 #include "scene/mechanism_lock.hpp"
 #include "scene/ring_set.hpp"
 #include "taut/error.hpp"
+#include "taut/path_proof.hpp"
 #include "taut/proof.hpp"
 #include "taut/shape.hpp"
 
@@ -180,6 +181,21 @@ void add_mechanism(Hasher& hash, const Scene& scene) {
   }
 }
 
+/// What a body follows, and how.
+void add_joint_motion(Hasher& hash, const JointMotion& motion) {
+  hash.byte(motion.kind.index());
+  if (const auto* free = std::get_if<FreeMotion>(&motion.kind)) {
+    for (const std::optional<int>& joint : {free->x, free->y, free->deg})
+      hash.byte(joint ? static_cast<std::size_t>(*joint) : 255);
+    return hash.point(free->pivot);
+  }
+  const auto* revolute = std::get_if<Revolute>(&motion.kind);
+  hash.point(revolute ? revolute->pivot : std::get<Slide>(motion.kind).direction);
+  hash.byte(static_cast<std::size_t>(motion.joint));
+  hash.number(motion.times);
+  hash.number(motion.plus);
+}
+
 /// All bodies with their parts and parents, then which pairs are not tested.
 void add_bodies(Hasher& hash, const Scene& scene) {
   const std::map<std::string, int> by_name = bodies_by_name(scene);
@@ -222,6 +238,38 @@ Fingerprint scene_fingerprint(const Scene& scene, Touch touch) {
   hash.number(given_end(scene));
   add_bodies(hash, scene);
   if (curved) add_curves(hash, scene);
+  return hash.finish();
+}
+
+Fingerprint path_fingerprint(const PathProblem& problem) {
+  const std::vector<Joint>& joints = problem.linkage.joints;
+  const Scene& scene = problem.linkage.scene;
+  if (proof::any_curves(scene))
+    throw InputError("bodies", "logs about paths of bodies with curves cannot be written",
+                     "`taut flatten` makes polygons of the curves");
+  Hasher hash("taut path 1");
+  hash.count(joints.size());
+  for (std::size_t k = 0; k < joints.size(); ++k) {
+    hash.number(joints[k].lo);
+    hash.number(joints[k].hi);
+    hash.byte(problem.periodic[k] ? 1 : 0);
+    hash.number(problem.start[k]);
+  }
+  hash.byte(problem.goal_outside ? 1 : 0);
+  for (std::size_t k = 0; k < joints.size() && !problem.goal_outside; ++k) {
+    hash.byte(problem.goal[k] ? 1 : 0);
+    if (!problem.goal[k]) continue;
+    hash.number((*problem.goal[k])[0]);
+    hash.number((*problem.goal[k])[1]);
+  }
+  Scene bodies = scene;
+  for (Body& body : bodies.bodies) body.motion = {};
+  add_bodies(hash, bodies);
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    const bool follows = i < problem.linkage.motions.size() && problem.linkage.motions[i];
+    hash.byte(follows ? 1 : 0);
+    if (follows) add_joint_motion(hash, *problem.linkage.motions[i]);
+  }
   return hash.finish();
 }
 

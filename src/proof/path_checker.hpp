@@ -1,0 +1,57 @@
+// Does a body collide with another one for all values of a cell, as a log about paths says?
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "proof/path_cell.hpp"
+#include "proof/path_log.hpp"
+#include "scene/ignored_pairs.hpp"
+
+namespace taut::internal::proof {
+
+class PathChecker {
+ public:
+  /// The problem must be valid, and outlive this. Throws InputError for bodies with layers.
+  PathChecker(const PathProblem& problem, double clearance);
+
+  /// Is what a claim says of a cell proved? An open cell claims nothing, and is.
+  bool holds(const PathClaim& claim, const PathCell& cell) const;
+  /// May the goal be in the cell?
+  bool may_be_goal(const PathCell& cell) const;
+  bool may_be_start(const PathCell& cell) const;
+
+ private:
+  struct Ring {
+    Polygon points;
+    bool hole = false;
+    int part = 0;
+  };
+  struct BodyShape {
+    std::vector<Ring> rings;
+    std::vector<int> chain;  ///< itself, its parent, and so on
+  };
+  using Segment = std::array<Point, 2>;
+
+  std::optional<Point> vertex(const PathFeature& feature) const;
+  std::optional<Segment> edge(const PathFeature& feature) const;
+  bool is_tested(std::uint32_t a, std::uint32_t b) const;
+  bool moves(int body) const;
+  /// The pose of one body seen from another one.
+  CellPose seen(const CellValues& values, std::uint32_t from, std::uint32_t body) const;
+  CellPose pose(const CellValues& values, const std::vector<int>& chain) const;
+  /// Of the four ends, how far each is to the left of the other edge, times that one's length.
+  std::optional<std::array<CellFunction, 4>> sides(const CellValues& values, const PathCrossing& crossing) const;
+  bool crosses(const CellValues& values, const PathCrossing& crossing) const;
+  bool exclude_each_other(const CellValues& values, const std::vector<PathCrossing>& crossings) const;
+  bool stays_inside(const CellValues& values, const PathClaim& claim) const;
+  bool stays_near(const CellValues& values, const PathClaim& claim) const;
+  bool may_be_outside(const CellValues& values) const;
+
+  const PathProblem& problem_;
+  double clearance_;
+  std::vector<BodyShape> bodies_;
+  IgnoredPairs ignored_;
+};
+
+}  // namespace taut::internal::proof

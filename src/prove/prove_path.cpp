@@ -1,0 +1,200 @@
+// Writes logs about paths: the partition of the search, with what shows of each cell that it collides.
+#include <ostream>
+#include <sstream>
+#include <string>
+
+#include "numeric/budget.hpp"
+#include "path/find_path.hpp"
+#include "path/goal.hpp"
+#include "proof/format.hpp"
+#include "proof/path_checker.hpp"
+#include "scene/ring_set.hpp"
+#include "taut/path_proof.hpp"
+
+namespace taut {
+using namespace internal;
+namespace {
+
+/// Cells that the verifier's bounds do not show to collide are halved, so often at the most.
+constexpr std::uint32_t most_halvings = 24;
+
+class PathLogWriter {
+ public:
+  PathLogWriter(const PathProblem& problem, const path::JointSpace& space, path::CellTree& tree, double clearance)
+      : problem_(problem), space_(space), tree_(tree), goal_(problem, space), checker_(problem, clearance) {}
+
+  /// False if some cell was not shown to collide, or to be without a goal, by bounds as the verifier has them.
+  bool write(proof::ByteWriter& out) {
+    std::vector<Item> todo = {{tree_.root(), false, 0}};
+    while (!todo.empty()) {
+      checkpoint();
+      const Item item = todo.back();
+      todo.pop_back();
+      const bool collides = item.collides || tree_[item.id].state == CellState::colliding;
+      std::uint32_t halvings = item.halvings;
+      if (tree_[item.id].is_leaf()) {
+        const std::optional<proof::PathClaim> claim = collides ? proved_claim(item.id) : open_claim(item.id);
+        if (claim) {
+          proof::write(out, *claim);
+          continue;
+        }
+        const bool divisible = !collides || tree_[item.id].open;
+        if (++halvings > most_halvings || !divisible || !tree_.divide(item.id)) return false;
+      }
+      proof::PathClaim halved;
+      halved.kind = proof::PathNode::halved;
+      halved.joint = tree_[item.id].axis;
+      proof::write(out, halved);
+      todo.push_back({tree_[item.id].children + 1, collides, halvings});
+      todo.push_back({tree_[item.id].children, collides, halvings});
+    }
+    return true;
+  }
+
+ private:
+  struct Item {
+    path::CellId id;
+    bool collides;           ///< it, or a cell around it, does by the bounds of the search
+    std::uint32_t halvings;  ///< for the verifier's sake
+  };
+
+  /// Nothing needs to be said of a cell, unless the verifier's bounds do not show what those of the search do: that
+  /// there is no goal in it.
+  std::optional<proof::PathClaim> open_claim(path::CellId id) const {
+    const bool in_doubt = checker_.may_be_goal({tree_[id].lo, tree_[id].side}) && !goal_.may_meet(tree_.box(id));
+    return in_doubt ? std::nullopt : std::optional(proof::PathClaim{});
+  }
+  std::optional<proof::PathClaim> proved_claim(path::CellId id) const {
+    if (!tree_[id].open) return std::nullopt;
+    const std::optional<path::CellReason> reason = space_.why(tree_.box(id), *tree_[id].open);
+    if (!reason) return std::nullopt;
+    const proof::PathClaim claim = reason->collision ? claim_of(reason->pair, *reason->collision) : claim_of(*reason);
+    if (!checker_.holds(claim, {tree_[id].lo, tree_[id].side})) return std::nullopt;
+    return claim;
+  }
+
+  const RingSet& rings(std::uint32_t pair, bool of_p) const {
+    return *space_.pairs()[pair].search.bodies.rings[of_p ? 0 : 1];
+  }
+  /// An edge or a vertex, by its number among those of the body.
+  template <class Ref>
+  proof::PathFeature feature(const Ref& ref) const {
+    std::size_t number = 0;
+    const std::vector<Part> parts = parts_of(problem_.linkage.scene.bodies[static_cast<std::size_t>(ref.body)]);
+    for (std::size_t p = 0; p < parts.size(); ++p) {
+      const int ring = static_cast<int>(p) < ref.part ? INT_MAX : static_cast<int>(p) == ref.part ? ref.ring : 0;
+      if (ring > 0) number += parts[p].outline.size();
+      for (int h = 0; h < std::min(ring - 1, static_cast<int>(parts[p].holes.size())); ++h)
+        number += parts[p].holes[static_cast<std::size_t>(h)].size();
+    }
+    return {static_cast<std::uint32_t>(ref.body),
+            static_cast<std::uint32_t>(number + static_cast<std::size_t>(ref.index))};
+  }
+  proof::PathCrossing crossing(std::uint32_t pair, std::uint32_t p, std::uint32_t q) const {
+    return {feature(rings(pair, true).edge(p)), feature(rings(pair, false).edge(q)), 0, 0};
+  }
+  proof::PathClaim claim_of(std::uint32_t pair, const path::Collision& collision) const {
+    using Kind = path::Collision::Kind;
+    const RingSet &own = rings(pair, collision.of_p), &other = rings(pair, !collision.of_p);
+    proof::PathClaim claim;
+    switch (collision.kind) {
+      case Kind::crossing:
+        claim.kind = proof::PathNode::crossing;
+        claim.crossings = {crossing(pair, collision.p, collision.q)};
+        break;
+      case Kind::inside: {
+        claim.kind = proof::PathNode::inside;
+        claim.body = static_cast<std::uint32_t>(own.body());
+        claim.other = static_cast<std::uint32_t>(other.body());
+        const double scale = space_.pairs().scale();
+        claim.point = {collision.at.x / scale, collision.at.y / scale};
+        break;
+      }
+      case Kind::near:
+        claim.kind = proof::PathNode::near;
+        claim.vertex = feature(own.vertex(collision.of_p ? collision.p : collision.q));
+        claim.edge = feature(other.edge(collision.of_p ? collision.q : collision.p));
+        break;
+    }
+    return claim;
+  }
+  /// Conditions of edges that are not of unit length: weights are divided by these.
+  proof::PathClaim claim_of(const path::CellReason& reason) const {
+    proof::PathClaim claim;
+    claim.kind = proof::PathNode::conditions;
+    for (std::size_t i = 0; i < reason.weights.size(); ++i) {
+      if (reason.weights[i] <= 0) continue;
+      const path::Condition& condition = reason.conditions[i];
+      proof::PathCrossing c = crossing(condition.pair, condition.p, condition.q);
+      const RingSet& own = rings(condition.pair, condition.vertex_of_p);
+      const std::uint32_t edge = condition.vertex_of_p ? condition.p : condition.q;
+      const proof::PathFeature named = feature(own.edge(edge)), begins = feature(own.vertex(edge));
+      // Rings that run the other way begin their edges where the search ends them.
+      const bool second = (named.vertex == begins.vertex) == condition.second_vertex;
+      c.end = static_cast<std::uint8_t>((condition.vertex_of_p ? 0 : 2) + (second ? 1 : 0));
+      const proof::PathFeature line = condition.vertex_of_p ? c.second : c.first;
+      c.weight = reason.weights[i] / edge_length(line);
+      claim.crossings.push_back(c);
+    }
+    return claim;
+  }
+  double edge_length(const proof::PathFeature& line) const {
+    std::size_t left = line.vertex;
+    for (const Part& part : parts_of(problem_.linkage.scene.bodies[line.body])) {
+      for (std::size_t ring = 0; ring <= part.holes.size(); ++ring) {
+        const Polygon& points = ring == 0 ? part.outline : part.holes[ring - 1];
+        if (left < points.size()) {
+          const Point &a = points[left], &b = points[(left + 1) % points.size()];
+          return std::hypot(b.x - a.x, b.y - a.y) * space_.pairs().scale();
+        }
+        left -= points.size();
+      }
+    }
+    return 1;
+  }
+
+  const PathProblem& problem_;
+  const path::JointSpace& space_;
+  path::CellTree& tree_;
+  path::Goal goal_;
+  proof::PathChecker checker_;
+};
+
+void write_path_header(proof::ByteWriter& out, const PathProblem& problem, double clearance) {
+  for (const char c : proof::magic) out.u8(static_cast<std::uint8_t>(c));
+  out.u8(static_cast<std::uint8_t>(proof::of_paths));
+  for (const std::uint8_t byte : path_fingerprint(problem)) out.u8(byte);
+  out.f64(clearance);
+}
+
+}  // namespace
+
+PathAnswer prove_path(const PathProblem& problem, std::ostream& log, const PathOptions& options) {
+  std::ostringstream text;
+  bool written = false;
+  PathAnswer answer = path::find_path(problem, options, [&](const path::JointSpace& space, path::CellTree& tree) {
+    proof::ByteWriter out(text);
+    write_path_header(out, problem, options.clearance);
+    written = PathLogWriter(problem, space, tree, options.clearance).write(out);
+    out.close();
+  });
+  if (answer.outcome != PathOutcome::none) return answer;
+  if (written) {
+    // Its cells may meet the goal by other bounds: what is handed out was read and found right.
+    std::istringstream read(text.str());
+    try {
+      verify_path(problem, read);
+    } catch (const ProofError&) {
+      written = false;
+    }
+  }
+  if (!written) {
+    answer.outcome = PathOutcome::undecided;
+    answer.reason = "cells show that there is no way, but no proof was found that the verifier accepts";
+    return answer;
+  }
+  log << text.str();
+  return answer;
+}
+
+}  // namespace taut
