@@ -28,6 +28,7 @@
 #include <memory>
 
 #include "taut/for_ompl/path.hpp"
+#include "taut/for_ompl/planner.hpp"
 #include "taut/for_ompl/robot.hpp"
 
 namespace taut::for_ompl {
