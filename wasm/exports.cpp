@@ -95,28 +95,10 @@ Recording& current() {
   return *recording;
 }
 
-const char* state_text(const Recording& r) {
-  switch (r.simulation().state()) {
-    case SimulationState::running:
-      return "running";
-    case SimulationState::finished:
-      return "finished";
-    case SimulationState::contact:
-      return "contact";
-    case SimulationState::overlap_at_start:
-      return "overlap_at_start";
-    case SimulationState::undecided:
-      return "undecided";
-    case SimulationState::untested:
-      return "untested";
-  }
-  return "";
-}
-
 std::string status_text(const Recording& r, bool reached) {
   const Answer answer = r.answer();
-  return std::string("{\"state\":\"") + state_text(r) + "\",\"reached\":" + (reached ? "true" : "false") +
-         ",\"time\":" + io::number_text(r.simulation().time()) +
+  return std::string("{\"state\":\"") + to_string(r.simulation().state()) +
+         "\",\"reached\":" + (reached ? "true" : "false") + ",\"time\":" + io::number_text(r.simulation().time()) +
          ",\"freeUntil\":" + io::number_text(answer.free_until) +
          ",\"initial\":" + std::to_string(answer.certificates_initial) +
          ",\"max\":" + std::to_string(answer.certificates_max) +

@@ -68,6 +68,8 @@ Answer Recording::answer() const {
     return answer;
   } else if (simulation_.state() == SimulationState::finished) {
     answer.outcome = Outcome::free;
+  } else if (simulation_.state() == SimulationState::locked) {
+    answer.outcome = Outcome::locked;
   } else {
     answer.reason = "still running";
   }

@@ -112,11 +112,15 @@ enum class SimulationState : std::uint8_t {
   running,           ///< the tested pairs are free of collisions up to time(), but for events that nearly coincide with
                      ///< the last one (see time()), and there may be more events
   finished,          ///< the tested pairs are free of collisions to the end of the scene
-  contact,           ///< the first collision, see contact()
+  contact,           ///< a collision, see contact(); resume() goes on
   overlap_at_start,  ///< the bodies overlap already at the start
   undecided,         ///< a limit was reached; reason() says which, and nothing is claimed beyond time()
   untested,          ///< the end of the scene was reached, and no pair was tested at any time: see coverage()
+  locked,            ///< finished, and the scene ends there because its mechanism locks: see Scene::lock
 };
+
+/// "running", "finished", "contact", "overlap_at_start", "undecided", "untested" or "locked".
+const char* to_string(SimulationState state);
 
 /// How to simulate. The wall time is that of one call, the constructor's included; beyond it the state is `undecided`.
 struct SimulationOptions {
@@ -126,15 +130,44 @@ struct SimulationOptions {
   /// Told of every event; may be null. Not owned.
   Tracer* tracer = nullptr;
   Limits limits = {};
+  /// Become `undecided` where one pair of bodies comes into contact more often than this within `contact_time`: a ball
+  /// that bounces lower and lower has infinitely many contacts in a finite time.
+  std::uint64_t max_contacts_per_time = 1000;
+  /// In the scene's units of time; 0 stands for 2^-20 of the time that the simulation begins with.
+  double contact_time = 0;
+  /// Keep all motions, for record().
+  bool record = false;
+};
+
+/// A number that is enclosed.
+struct Enclosure {
+  double lo = 0, hi = 0;
+};
+
+/// How two bodies move at a contact, in world coordinates. Each number is enclosed for all instants of Contact::time.
+struct ContactMotion {
+  /// The unit outward normal of the edge's body.
+  std::array<Enclosure, 2> normal;
+  /// The velocity of the vertex, as the edge's body sees it: less the velocity that the material of that body has
+  /// there.
+  std::array<Enclosure, 2> velocity;
+  /// The component of the velocity along the normal: negative while the bodies approach.
+  Enclosure along_normal;
 };
 
 /// Any number of moving bodies, with parts, holes and parents. Every pair of rings that is near has an external
 /// relative geodesic triangulation (a tiling), which is kept up to date event by event. The current time only grows.
 /// Not thread-safe; distinct simulations are independent.
 ///
-/// Events are those of all pairs that are near. Distant pairs cost nothing until a window of time comes in which they
-/// may be near; a single pair is always near. The simulation answers as check() would about the rest of its time,
-/// whatever motions have been changed.
+/// Events are those of all pairs that are near. Distant pairs cost nothing until they may be near; a single pair is
+/// always near. The simulation answers as check() would about the rest of its time, whatever motions have been changed.
+///
+/// A contact stops it: state() is `contact`, and time() is the last double up to which the motion is proved free. There
+/// set_motion() gives bodies other motions from time() on, and resume() goes on. Whether bodies come apart is never
+/// assumed: if they still approach, or the rounding of their new motions makes them overlap, the next answer is a
+/// contact at the same time, and contact_again() says so. Bodies that slide along each other go on where touching is no
+/// collision (Touch::open). To be free of rounding, move a body off the contact by a few units in the last place of
+/// its coordinates, along the normal: a jump so small is bridged, and proved free like any other motion.
 ///
 /// Two bodies of one ring each have one tiling. Only they can have a tracer, and only of them tiling(), halfedges(),
 /// halfedge(), changed_halfedges(), active_set(), levels() and geodesic_cycle() are known. For other scenes these throw
@@ -178,19 +211,44 @@ class Simulation {
   /// is none before the end, after a contact, or if it is undecided.
   bool step();
   /// Processes all events before t (clamped to the end of the scene) and stands at t, unless a contact comes first.
-  /// A time before time() changes nothing; one that is not a number is an InputError.
+  /// A time before time() changes nothing; one that is not a number is an InputError. After a contact it returns
+  /// `contact` until resume() is called.
   SimulationState advance_to(double t);
+  /// Goes on after a contact, usually with other motions: see set_motion(). Time stays; pairs that are still in
+  /// contact, with the motions that they had, are in contact again at once. Returns the state. Throws InputError unless
+  /// state() is `contact`.
+  SimulationState resume();
   /// Replaces a body's motion from time() on. The new motion is in absolute time, like the old one; where its pose
   /// at time() differs from the present one by rounding, the gap is bridged as between two pieces of a scene, a
   /// larger jump is an InputError and changes nothing. Events that nearly coincide with the last one are processed
   /// first; if one of them is the contact, it stays the answer. The motion is relative to the body's parent, and bodies
   /// that are attached to the body move with it. The tilings of its pairs stay; only their certificates are computed
   /// anew. Pairs that have moved alike until then are tested from now on; if they overlap, state() is
-  /// `overlap_at_start`.
+  /// `overlap_at_start`. After a contact the state stays `contact`, and the motion counts once resume() is called.
+  /// After an overlap it changes nothing.
   void set_motion(BodyId body, const Motion& motion);
 
-  /// The first contact, once state() is `contact`.
+  /// The next four begin anew at time(), and cost what a new simulation does. An InputError changes nothing; they throw
+  /// it also where bodies would overlap.
+  /// Adds a body from time() on, which other bodies must not overlap. Returns its number: that of the last body, and 1.
+  BodyId add_body(const Body& body);
+  /// Takes a body away from time() on. The others keep their numbers. Throws InputError if a body is attached to it.
+  void remove_body(BodyId body);
+  /// The pair is not tested from time() on.
+  void ignore(BodyId a, BodyId b);
+  /// From time() on, the body is attached to that parent, or to none, and moves as seen from there. Its place in the
+  /// world at time() must stay, up to a jump like that of set_motion().
+  void set_parent(BodyId body, std::optional<BodyId> parent, const Motion& motion);
+
+  /// The contact, once state() is `contact`.
   const std::optional<Contact>& contact() const;
+  /// Whether the contact is one from which the simulation was resumed: the same features, at the same time.
+  bool contact_again() const;
+  /// How the bodies of a contact move at that time: contact(), or one of also(). Of the motions that hold from time()
+  /// on, so after set_motion() the new ones.
+  ContactMotion relative_velocity(const Contact& contact) const;
+  /// How many contacts there have been, without those that came again.
+  std::uint64_t contacts() const;
   /// The two bodies of the contact, or of the overlap; or of what is not decided, if that is one pair of a world.
   std::optional<std::array<BodyId, 2>> pair() const;
   /// As Answer::also.
@@ -215,6 +273,13 @@ class Simulation {
   std::vector<int> changed_halfedges() const;
   /// The certificates that can fail: corners with vertices of both bodies.
   std::vector<ActiveCertificate> active_set() const;
+  /// The scene as it goes on from time(): motions, parents and ignored pairs as they are now. Bodies that were removed
+  /// are still there, ignored by all others.
+  const Scene& scene() const;
+  /// All that was done until time(), as ordinary scenes: one for each stretch of time between two calls of add_body(),
+  /// remove_body(), ignore() or set_parent(), mostly a single one. They are free of contacts: every motion gives way to
+  /// the next one right before it. Requires SimulationOptions::record; throws InputError otherwise.
+  std::vector<Scene> record() const;
   /// Number of levels of a body's tree, the edges of the body being the last.
   int levels(BodyId body) const;
   /// The pinned geodesic cycle of one level at time(), built from scratch in O(n log n). Level 0 is the relative convex

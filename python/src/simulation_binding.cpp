@@ -23,24 +23,6 @@ namespace py = pybind11;
 namespace taut_python {
 namespace {
 
-const char* state_word(taut::SimulationState state) {
-  switch (state) {
-    case taut::SimulationState::running:
-      return "running";
-    case taut::SimulationState::finished:
-      return "finished";
-    case taut::SimulationState::contact:
-      return "contact";
-    case taut::SimulationState::overlap_at_start:
-      return "overlap_at_start";
-    case taut::SimulationState::untested:
-      return "untested";
-    case taut::SimulationState::undecided:
-      return "undecided";
-  }
-  return "";
-}
-
 const char* kind_word(taut::FaceKind kind) {
   switch (kind) {
     case taut::FaceKind::node:
@@ -99,7 +81,7 @@ class LiveSimulation {
     const py::gil_scoped_release released;
     const std::lock_guard turn(mutex_);
     const taut::Simulation& s = *simulation_;
-    Standing found{state_word(s.state()),
+    Standing found{to_string(s.state()),
                    s.reason(),
                    s.time(),
                    s.events(),
@@ -134,7 +116,7 @@ class LiveSimulation {
   }
 
   std::string advance_to(double t) {
-    return change<std::string>([&] { return state_word(simulation_->advance_to(t)); });
+    return change<std::string>([&] { return to_string(simulation_->advance_to(t)); });
   }
 
   py::tuple tiling() {

@@ -179,7 +179,15 @@ double Engine::proved_until() const {
   return segment().time(std::max(first, reached_));
 }
 
+/// A bridge at that time has not begun as long as its parameter is 0.
+bool Engine::can_replan_at(double t) const {
+  if (state_ != EngineState::running && state_ != EngineState::finished) return false;
+  if (segment().bridge) return segment().joint == t && parameter_ == 0;
+  return segment().start < t && time() <= t && t <= segment().end;
+}
+
 void Engine::replan(MotionSegments segments) {
+  if (!segment().bridge) parameter_ = std::max(parameter_, segments.place(0).start);
   dormant_.note_motion(segment(), parameter_);
   segments_ = std::move(segments);
   current_ = 0;

@@ -76,7 +76,10 @@ class Engine {
   std::optional<std::pair<double, double>> next_event(double t);
   /// The certificate that will fail next. Requires that next_event() found one.
   const Certificate& upcoming() const { return certificates_[next_.value]; }
-  /// Replaces all segments from the current time on. The first new segment must start at time().
+  /// Can all segments from that time on be replaced? The engine must not have come to a joint at that time, or beyond
+  /// the time; and there must be no event up to then.
+  bool can_replan_at(double t) const;
+  /// Replaces all segments from that time on, at which the first new one starts: see can_replan_at().
   void replan(MotionSegments segments);
 
   std::uint64_t events() const { return events_; }

@@ -116,8 +116,8 @@ double RingEngines::time() const {
   return least;
 }
 
-bool RingEngines::are_at(double t) const {
-  return std::all_of(runs_.begin(), runs_.end(), [t](const Run& run) { return run.engine->time() == t; });
+bool RingEngines::can_replan_at(double t) const {
+  return std::all_of(runs_.begin(), runs_.end(), [t](const Run& run) { return run.engine->can_replan_at(t); });
 }
 
 void RingEngines::replan(MotionSegments segments) {

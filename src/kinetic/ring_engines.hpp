@@ -34,8 +34,6 @@ class RingEngines {
   Arrival advance(double t, std::uint64_t events = UINT64_MAX);
   /// The time to which the tilings correspond; the earliest one, between events.
   double time() const;
-  /// Do all of them correspond to that time?
-  bool are_at(double t) const;
   /// Everything up to this time is proved.
   double reached() const;
   /// The corresponding time at present, between events: no failure is due before it.
@@ -43,8 +41,9 @@ class RingEngines {
   /// An enclosure of the time of the next event up to t.
   std::optional<std::pair<double, double>> next_event(double t);
 
-  /// Replaces all segments from the current time on. All tilings must have been advanced to the time at which the first
-  /// new segment starts.
+  /// See Engine::can_replan_at().
+  bool can_replan_at(double t) const;
+  /// Replaces all segments from the time on at which the first new one starts.
   void replan(MotionSegments segments);
 
   /// A contact in terms of the pair's geometry and segments.

@@ -1,13 +1,16 @@
-// What is behind a Simulation: the world that goes on, its limits, and the tracer.
+// What is behind a Simulation: the world that goes on, its limits, its record, and the tracer.
 #pragma once
 
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "numeric/budget.hpp"
 #include "numeric/undecided.hpp"
 #include "scene/untested.hpp"
+#include "session/contact_count.hpp"
+#include "session/simulation_record.hpp"
 #include "session/world_simulation.hpp"
 #include "taut/error.hpp"
 #include "taut/simulation.hpp"
@@ -16,13 +19,7 @@ namespace taut {
 using namespace internal;
 
 struct Simulation::Impl final : KineticObserver {
-  Impl(const Scene& scene, const SimulationOptions& given) : options(given), start(scene.start) {
-    changing([&] {
-      world = std::make_unique<WorldSimulation>(scene, options.touch, options.max_events, this);
-      if (options.tracer) only_pair();
-    });
-    if (!world) unreached = coverage_before_search(scene);
-  }
+  Impl(const Scene& given_scene, const SimulationOptions& given);
 
   void on_event(const KineticSolver& solver, const EngineEvent& event) override;
 
@@ -46,14 +43,41 @@ struct Simulation::Impl final : KineticObserver {
     }
   }
 
+  /// The world of that scene, after the events that there have been.
+  std::unique_ptr<WorldSimulation> make_world(const Scene& from_now);
+  /// Goes on with another scene from the present on. Throws InputError if bodies overlap in it.
+  void begin_anew(Scene next);
+  void check_body(BodyId body) const;
+  void set_motion(BodyId body, const Motion& motion);
+  /// Counts the contacts at which it stands, if it has just come to them.
+  void note_contact();
+  /// The contact is one from which it was resumed.
+  bool is_again() const;
+  bool in_contact() const { return world->answer().outcome == Outcome::contact; }
+  std::uint64_t events() const { return events_before + (world ? world->events() : 0); }
+
   void give_up(const std::string& why) {
     if (!world || !world->over()) reason = why;
   }
-  bool undecided() const { return !reason.empty() || (world && world->answer().outcome == Outcome::undecided); }
-  const std::string& why_undecided() const { return reason.empty() && world ? world->answer().reason : reason; }
+  bool ends_undecided() const { return world && world->finished() && at_end == Outcome::undecided; }
+  bool undecided() const {
+    if (!reason.empty() || (world && world->answer().outcome == Outcome::undecided)) return true;
+    return world && !world->over() && ends_undecided();
+  }
+  const std::string& why_undecided() const {
+    if (!reason.empty() || !world || world->over()) return reason.empty() && world ? world->answer().reason : reason;
+    return ends_undecided() ? reason_at_end : reason;
+  }
   bool ended() const { return undecided() || world->over() || world->finished(); }
   void expect_decided() const {
     if (undecided()) throw UndecidedError(why_undecided());
+  }
+
+  /// Throws unless it runs, or stands at a contact, or at the end.
+  void expect_changeable() const {
+    expect_decided();
+    if (world->over() && !in_contact())
+      throw InputError("", "bodies overlap, and nothing goes on from there", "make a simulation in which they do not");
   }
 
   /// The tiling of the single pair of rings.
@@ -70,6 +94,16 @@ struct Simulation::Impl final : KineticObserver {
   OnlyTiling tiling() const;
 
   SimulationOptions options;
+  Scene scene;                ///< with the motions of now
+  std::vector<bool> removed;  ///< bodies of the scene that are no longer there
+  Outcome at_end;             ///< of a motion that is free to the end
+  std::string reason_at_end;
+  MotionRecord record;
+  ContactCount contacts;
+  std::vector<PairAnswer> resumed;  ///< the contacts from which it was resumed last
+  std::uint64_t events_before = 0;  ///< of worlds before this one
+  std::uint64_t certificates_max_before = 0;
+  std::uint64_t traced = 0;
   bool broken = false;
   std::string reason;  ///< why it is undecided, or empty
   double start;

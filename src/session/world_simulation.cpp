@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
+#include "certificate/root.hpp"
 #include "motion/pieces.hpp"
+#include "scene/meeting_boxes.hpp"
 #include "scene/overlap_witness.hpp"
 #include "scene/validate_scene.hpp"
 #include "solver/earliest.hpp"
@@ -33,8 +34,8 @@ WorldSimulation::WorldSimulation(const Scene& scene, Touch touch, std::uint64_t 
       observer_(observer),
       start_(scene.start),
       instance_(validated(scene)),
-      near_(instance_),
       budget_(max_events),
+      near_(instance_),
       now_(scene.start),
       processed_(scene.start) {
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
@@ -45,134 +46,179 @@ WorldSimulation::WorldSimulation(const Scene& scene, Touch touch, std::uint64_t 
   for (const InstanceBody& body : instance_.bodies()) body.rings->displaced(offset_for(touch));
   answer_.outcome = Outcome::free;
   note_tested();
-  near_.begin(now_);
-  ask_starts();
+  for (const Key& pair : near_.pairs()) begin_pair(pair, std::nullopt);
+  if (instance_.tests_groups()) ask_starts_of_groups();
+  conclude(now_);
 }
 
-void WorldSimulation::forget_distant_pairs() {
-  std::erase_if(pairs_, [&](const auto& entry) { return !near_.has(entry.first.first, entry.first.second); });
+/// Nothing happens to bodies that move alike after the start.
+void WorldSimulation::ask_starts_of_groups() {
+  std::vector<int> all(instance_.bodies().size());
+  std::iota(all.begin(), all.end(), 0);
+  MeetingBoxes(instance_, all, instance_.start(), instance_.start()).each([&](int a, int b, bool) {
+    if (near_.has(a, b)) return;
+    begin_pair({a, b}, std::nullopt);
+    if (ended_.count({a, b}) == 0) end_pair({a, b});
+  });
 }
 
-KineticSolver& WorldSimulation::pair(const Key& key) {
-  auto known = pairs_.find(key);
-  if (known == pairs_.end()) {
-    // Made first: a limit may end that.
-    auto fresh =
-        std::make_unique<KineticSolver>(instance_, key.first, key.second, offset_for(touch_), budget_, observer_);
-    known = pairs_.emplace(key, std::move(fresh)).first;
+/// Its tilings are built at that time, at which the two are apart; without one, at the start of the motions, and
+/// whether the two overlap there is asked.
+void WorldSimulation::begin_pair(const Key& key, std::optional<double> from) {
+  // Made first: a limit may end that.
+  auto solver =
+      std::make_unique<KineticSolver>(instance_, key.first, key.second, offset_for(touch_), budget_, observer_);
+  if (from) {
+    solver->start_at(*from);
+  } else {
+    solver->ask_start();
   }
-  return *known->second;
+  const auto pair = pairs_.emplace(key, Near{}).first;
+  pair->second.solver = std::move(solver);
+  pair->second.due = from.value_or(instance_.start());
+  enqueue(pair);
+}
+
+/// Into the queue, or to the pairs that have come to an end.
+void WorldSimulation::enqueue(Pairs::iterator pair) {
+  count_certificates(pair->second);
+  if (pair->second.solver->open()) {
+    queue_.insert({pair->second.due, pair->first});
+  } else {
+    ended_.insert(pair->first);
+  }
+}
+
+void WorldSimulation::end_pair(const Key& key) {
+  const auto pair = pairs_.find(key);
+  if (pair == pairs_.end()) return;
+  certificates_ -= pair->second.certificates;
+  queue_.erase({pair->second.due, key});
+  ended_.erase(key);
+  pairs_.erase(pair);
+}
+
+void WorldSimulation::change_pairs(const NearBodies::Changes& changes, std::optional<double> from) {
+  for (const Key& pair : changes.gone) end_pair(pair);
+  for (const Key& pair : changes.come) begin_pair(pair, from);
+}
+
+void WorldSimulation::count_certificates(Near& near) {
+  const RingEngines* const engines = near.solver->engines();
+  const std::uint64_t count = engines ? engines->certificates() : 0;
+  certificates_ = certificates_ - near.certificates + count;
+  near.certificates = count;
+  certificates_max_ = std::max(certificates_max_, certificates_);
 }
 
 KineticSolver* WorldSimulation::single_pair() const {
-  return instance_.is_single_pair() && !pairs_.empty() ? pairs_.begin()->second.get() : nullptr;
+  return instance_.is_single_pair() && !pairs_.empty() ? pairs_.begin()->second.solver.get() : nullptr;
 }
 
 const RingEngines* WorldSimulation::engines(int a, int b) const {
   const auto known = pairs_.find(key(a, b));
-  return known == pairs_.end() ? nullptr : known->second->engines();
+  return known == pairs_.end() ? nullptr : known->second.solver->engines();
 }
 
-/// Do any two bodies overlap, or touch?
-void WorldSimulation::ask_starts() {
-  if (instance_.is_single_pair()) {
-    near_.each([this](int a, int b) { pair({a, b}).ask_start(); });
-    return conclude();
+/// The time of what is first: a box that ends, or a pair that may have an event.
+double WorldSimulation::first_due() const { return first_is_box() ? near_.until() : queue_.begin()->first; }
+
+/// The time of what comes after the first pair.
+double WorldSimulation::next_due() const {
+  const auto second = std::next(queue_.begin());
+  return std::min(near_.until(), second == queue_.end() ? never : second->first);
+}
+
+void WorldSimulation::renew_boxes() {
+  const double from = near_.until();
+  change_pairs(near_.renew(), from);
+}
+
+/// Requires that something is due by the limit. Returns the limit, which a result lowers: nothing after it comes first.
+double WorldSimulation::process_first(double limit) {
+  checkpoint();
+  if (first_is_box()) {
+    renew_boxes();
+    return limit;
   }
-  std::vector<int> all(instance_.bodies().size());
-  std::iota(all.begin(), all.end(), 0);
-  MeetingBoxes(instance_, all, instance_.start(), instance_.start()).each([&](int a, int b, bool) {
-    pair({a, b}).ask_start();
-  });
-  conclude();
-}
-
-bool WorldSimulation::may_meet_at_start(int a, int b) const {
-  const auto box = [&](int k) {
-    return swept_box(instance_.bodies()[static_cast<std::size_t>(k)], instance_.start(), instance_.start());
-  };
-  return instance_.is_single_pair() || box(a).meets(box(b));
-}
-
-/// The same of pairs that are asked about for the first time: of bodies that have moved alike, or, at the start of the
-/// scene, of all that have changed. Whoever meets now is near.
-void WorldSimulation::ask_starts_of(const std::vector<int>& changed, const std::vector<int>& groups_before) {
-  const auto group_before = [&](int k) {
-    const auto found = std::lower_bound(changed.begin(), changed.end(), k);
-    if (found == changed.end() || *found != k) return instance_.bodies()[static_cast<std::size_t>(k)].group;
-    return groups_before[static_cast<std::size_t>(found - changed.begin())];
-  };
-  bool met = false;
-  for (const int body : changed) {
-    near_.each_of(body, [&](int other) {
-      const bool parted = !instance_.tests_groups() && group_before(body) == group_before(other);
-      if (!parted && now_ > instance_.start()) return;
-      if (pairs_.count(key(body, other)) > 0 || !may_meet_at_start(body, other)) return;
-      KineticSolver& asked = pair(key(body, other));
-      asked.ask_start();
-      met = met || !asked.open();
-    });
+  const double soon = std::min(limit, next_due());
+  const auto pair = pairs_.find(queue_.begin()->second);
+  queue_.erase(queue_.begin());
+  if (pair->second.next) {
+    take_step(pair->second, limit);
+  } else {
+    look(pair->second, soon, limit);
   }
-  if (met) conclude();
+  enqueue(pair);
+  return std::min(limit, result_end(pair->second));
+}
+
+/// Infinite without a result.
+double WorldSimulation::result_end(const Near& near) {
+  const PairResult& result = near.solver->result();
+  if (near.solver->open()) return never;
+  return result.contact ? result.contact->time.hi : result.free_until;
+}
+
+/// Looks for the next event of a pair up to that time, when another pair is due. An event that is isolated, but may
+/// come before or after, is looked for as far as the limit: otherwise two such pairs could wait for each other.
+void WorldSimulation::look(Near& near, double soon, double limit) {
+  KineticSolver& solver = *near.solver;
+  near.next = solver.next_event(soon);
+  if (!solver.open()) return;
+  const double proved = solver.engines()->proved_until();
+  near.due = std::max(std::nextafter(soon, never), proved);
+  if (near.next) near.due = std::max(now_, near.next->lo);
+  if (near.next || soon >= limit || proved >= soon) return;
+  near.next = solver.next_event(limit);
+  if (solver.open() && !near.next) near.due = std::nextafter(limit, never);
+}
+
+/// Processes the event of the pair that is known, unless it comes after the limit.
+void WorldSimulation::take_step(Near& near, double limit) {
+  KineticSolver& solver = *near.solver;
+  const double to = std::min(limit, std::max(near.next->hi, near.due));
+  const std::uint64_t before = events();
+  near.next.reset();
+  solver.step(to);
+  // Another ring of the pair may be in contact before.
+  while (solver.open() && solver.engines()->contact()) solver.step(to);
+  if (!solver.open()) return;
+  near.due = events() > before ? std::max(near.due, solver.engines()->proved_until()) : std::nextafter(to, never);
 }
 
 void WorldSimulation::advance(double t) {
-  while (!over() && processed_ < t) advance_in_window(t);
-}
-
-/// To t, or to the end of the current window, and then into the next one. After a change of motion, the window may end
-/// at the present.
-void WorldSimulation::advance_in_window(double t) {
-  const double to = std::min(t, near_.until());
-  advance_pairs(to);
-  if (over()) return;
-  processed_ = std::max(processed_, to);
-  now_ = std::max(now_, to);
-  if (to < near_.until() || near_.last()) return;
-  near_.next();
-  forget_distant_pairs();
-}
-
-void WorldSimulation::advance_pairs(double to) {
-  double stop = to;
-  near_.each([&](int a, int b) {
-    KineticSolver& near = pair({a, b});
-    near.work(near.engines() ? near.at() : near_.from(), stop, std::numeric_limits<std::uint64_t>::max());
-    if (near.result().contact) stop = std::min(stop, near.result().contact->time.hi);
-  });
-  certificates_max_ = std::max(certificates_max_, certificates());
-  conclude();
-}
-
-/// Encloses the next event of a near pair up to t, in next_; false if no near pair has one.
-bool WorldSimulation::first_to_fail(double t) {
-  bool found = false;
-  next_ = {t, t};
-  near_.each([&](int a, int b) {
-    KineticSolver& near = pair({a, b});
-    if (!near.engines()) near.work(near_.from(), now_, std::numeric_limits<std::uint64_t>::max());
-    if (!near.engines()) return;
-    const auto next = near.engines()->next_event(next_.hi);
-    if (!next || (found && next->first >= next_.lo)) return;
-    next_ = {next->first, next->second};
-    found = true;
-  });
-  return found;
+  if (over() || processed_ >= t) return;
+  double limit = t;
+  for (const Key& pair : ended_) limit = std::min(limit, result_end(pairs_.at(pair)));
+  while (first_due() <= limit) limit = process_first(limit);
+  if (conclude(limit)) return;
+  processed_ = std::max(processed_, t);
+  now_ = std::max(now_, t);
+  if (KineticSolver* const only = single_pair()) only->stand_at(t);
 }
 
 std::optional<TimeInterval> WorldSimulation::next_event(double t) {
-  while (!over()) {
-    const double until = std::min(t, near_.until());
-    if (first_to_fail(until)) {
-      note_time();
+  while (!over() && first_due() <= t) {
+    const double due = first_due();
+    if (!first_is_box()) {
+      const Near& first = pairs_.at(queue_.begin()->second);
       // Enclosures of events that nearly coincide overlap, and that of the first one is past.
-      return TimeInterval{std::max(next_.lo, now_), std::max(next_.hi, now_)};
+      if (first.next) return TimeInterval{std::max(first.next->lo, now_), std::max(first.next->hi, now_)};
     }
-    conclude();
-    if (over() || near_.last() || near_.until() >= t) break;
-    advance_in_window(until);
+    if (conclude(due)) break;
+    process_first(t);
+    note_time();
   }
+  if (!over()) conclude(t);
   return std::nullopt;
+}
+
+/// Where boxes have ended, or the only pair's motion has gone on to its next piece, without an event.
+void WorldSimulation::note_time() {
+  now_ = std::max(now_, near_.latest());
+  const KineticSolver* const only = single_pair();
+  if (only && only->open() && only->engines()) now_ = std::max(now_, std::min(only->engines()->time(), end()));
 }
 
 /// The solver of the single pair, if it has just one tiling: then its events can be processed one by one.
@@ -183,35 +229,27 @@ KineticSolver* WorldSimulation::only_tiling() const {
 
 bool WorldSimulation::step(double t) {
   const std::uint64_t before = events();
-  if (!next_event(t)) {
+  const std::optional<TimeInterval> next = next_event(t);
+  if (!next) {
     advance(t);
-  } else if (KineticSolver* const only = only_tiling()) {
-    only->step(only->at(), t);
-    certificates_max_ = std::max(certificates_max_, certificates());
-    conclude();
-    note_time();
+  } else if (only_tiling()) {
+    process_first(t);
+    if (!conclude(t)) note_time();
   } else {
-    advance(next_.hi);
+    advance(std::min(t, next->hi));
   }
   return events() > before && !over();
 }
 
-/// Without events, engines may have followed a motion beyond the present.
-void WorldSimulation::note_time() {
-  if (over()) return;
-  double least = near_.until();
-  for (const auto& [key, near] : pairs_) {
-    if (near->engines()) least = std::min(least, near->engines()->time());
-  }
-  now_ = std::max(now_, least);
-}
-
-void WorldSimulation::conclude() {
+/// What has come to an end by the limit. Returns whether something has.
+bool WorldSimulation::conclude(double limit) {
   std::vector<PairEvent> events;
-  for (const auto& [key, near] : pairs_) {
-    if (!near->open()) events.push_back({answer_of(near->result(), instance_), near->instant()});
+  for (const Key& pair : ended_) {
+    const KineticSolver& solver = *pairs_.at(pair).solver;
+    PairEvent event{answer_of(solver.result(), instance_), solver.instant()};
+    if (time_of(event.pair) <= limit) events.push_back(std::move(event));
   }
-  if (events.empty()) return;
+  if (events.empty()) return false;
   events = earliest_of_each_pair(std::move(events));
   // What has been processed is free, though enclosures may begin a little before its end.
   for (PairEvent& event : events) {
@@ -222,8 +260,16 @@ void WorldSimulation::conclude() {
   }
   take_earliest(events, answer_);
   now_ = std::max(now_, answer_.free_until);
-  if (answer_.outcome != Outcome::overlap_at_start) return;
-  answer_.overlap_point = common_point(instance_, *answer_.pair);
+  if (answer_.outcome == Outcome::overlap_at_start) answer_.overlap_point = common_point(instance_, *answer_.pair);
+  return true;
+}
+
+void WorldSimulation::resume() {
+  if (answer_.outcome != Outcome::contact) return;
+  answer_ = {};
+  answer_.outcome = Outcome::free;
+  processed_ = std::max(processed_, now_);
+  conclude(now_);
 }
 
 Coverage WorldSimulation::coverage() const {
@@ -233,14 +279,6 @@ Coverage WorldSimulation::coverage() const {
     return tested;
   }
   return instance_.coverage(instance_.coverage(0).apart);
-}
-
-std::uint64_t WorldSimulation::certificates() const {
-  std::uint64_t sum = 0;
-  for (const auto& [key, near] : pairs_) {
-    if (near->engines()) sum += near->engines()->certificates();
-  }
-  return sum;
 }
 
 void WorldSimulation::check_body(BodyId body) const {
@@ -262,36 +300,52 @@ void WorldSimulation::check_motion(BodyId body, const Motion& motion) const {
                      "coefficients are in powers of t, or of t - origin where the piece has an origin");
 }
 
+void WorldSimulation::carry_on(const WorldSimulation& before) {
+  has_tested_ = has_tested_ || before.has_tested_;
+  if (before.answer_.outcome == Outcome::contact) answer_ = before.answer_;
+}
+
 void WorldSimulation::set_motion(BodyId body, const Motion& motion) {
   check_body(body);
   // Events that nearly coincide with the last one, and the rest of a bridge, belong to the old motion.
   if (now_ > processed_) advance(now_);
-  if (over()) return;
+  if (over() && answer_.outcome != Outcome::contact) return;
   check_motion(body, motion);
   const double from = now_ > start_ ? std::nextafter(now_, start_) : now_;
   const std::vector<int> changed = instance_.followers(body);
-  std::vector<int> groups;
-  for (const int k : changed) groups.push_back(instance_.bodies()[static_cast<std::size_t>(k)].group);
   instance_.replan(body, motion, now_, from);
-  near_.change(changed, from);
-  forget_distant_pairs();
-  for (const int k : changed) replan_pairs_of(k);
+  const NearBodies::Changes changes = near_.change(changed, from);
+  for (const Key& pair : changes.gone) end_pair(pair);
+  for (const int k : changed) replan_pairs_of(k, changed);
+  for (const Key& pair : changes.come) {
+    if (pairs_.count(pair) == 0) begin_pair(pair, std::nullopt);
+  }
   note_tested();
-  ask_starts_of(changed, groups);
+  if (!over()) conclude(now_);
 }
 
-/// A tiling stays if it corresponds to the present. At the start of the scene no bridge is possible.
-void WorldSimulation::replan_pairs_of(int body) {
-  near_.each_of(body, [&](int other) {
-    const auto known = pairs_.find(key(body, other));
-    if (known == pairs_.end()) return;
-    const RingEngines* engines = known->second->engines();
-    if (engines && engines->are_at(now_) && now_ > instance_.start()) {
-      known->second->replan(now_);
-    } else {
-      pairs_.erase(known);
+/// A tiling stays if it corresponds to the present, or before. At the start of the scene no bridge is possible. Pairs
+/// that are asked about for the first time, as bodies that have moved alike, may overlap.
+void WorldSimulation::replan_pairs_of(int body, const std::vector<int>& changed) {
+  for (const int other : near_.of(body)) {
+    if (other < body && std::binary_search(changed.begin(), changed.end(), other)) continue;
+    const Key pair = key(body, other);
+    const auto known = pairs_.find(pair);
+    if (known == pairs_.end()) {
+      begin_pair(pair, std::nullopt);
+      continue;
     }
-  });
+    Near& near = known->second;
+    queue_.erase({near.due, pair});
+    if (near.solver->replan(now_)) {
+      near.next.reset();
+      near.due = now_;
+      enqueue(known);
+    } else {
+      end_pair(pair);
+      begin_pair(pair, std::nullopt);
+    }
+  }
 }
 
 }  // namespace taut::internal

@@ -1,25 +1,31 @@
-// A scene that goes on: its near pairs, each with the kinetic engine, up to the same time.
+// A scene that goes on: its near pairs, each with the kinetic engine, event by event.
 #pragma once
 
 #include <algorithm>
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "scene/instance.hpp"
+#include "session/near_bodies.hpp"
 #include "solver/kinetic_solver.hpp"
-#include "solver/near_pairs.hpp"
 #include "taut/check.hpp"
 
 namespace taut::internal {
 
-/// It has a current time up to which no tested pair meets. The pairs that are near in the current window of time have
-/// tilings, all followed to that time; no other pair costs anything until the next window. A single pair is always
-/// near. If a body changes its motion, the certificates of its pairs, and of the pairs of the bodies that are attached
-/// to it, are computed anew; a bridge covers the rounding by which the old and the new pose differ. The tilings stay.
+/// It has a current time up to which no tested pair meets. The pairs that are near have tilings. A queue holds for each
+/// a time before which none of its certificates fails, and the pair with the least one is next: it looks further, or
+/// processes an event. So a pair costs nothing between its own events. A single pair is always near.
+///
+/// A contact changes no tiling. Where a body changes its motion, then or between events, the certificates of its pairs,
+/// and of the pairs of the bodies that are attached to it, are computed anew; a bridge covers the rounding by which the
+/// old and the new pose differ. A tiling that corresponds to a later time, as that of a pair in contact, is built anew
+/// right before the present, where all pairs are proved to be apart.
 class WorldSimulation {
  public:
   /// The observer of the single pair's events may be null. Throws InputError.
@@ -30,10 +36,12 @@ class WorldSimulation {
   /// Processes the next event up to t, and those of other pairs that are not later. If there is none, it advances to t.
   /// Returns false then, and after a contact.
   bool step(double t);
-  /// An enclosure of the time of the next event of any pair up to t. Proceeds to the end of windows that have none.
+  /// An enclosure of the time of the next event of any pair up to t.
   std::optional<TimeInterval> next_event(double t);
-  /// From the present on. Throws InputError, and changes nothing.
+  /// From the present on; after a contact, too. Throws InputError, and changes nothing.
   void set_motion(BodyId body, const Motion& motion);
+  /// Goes on after a contact. Pairs whose motions are still the same are in contact again.
+  void resume();
 
   double start() const { return start_; }
   double end() const { return instance_.end(); }
@@ -41,8 +49,8 @@ class WorldSimulation {
   KineticSolver* single_pair() const;
   /// The current tilings of two bodies; null if they have none.
   const RingEngines* engines(int a, int b) const;
-  /// The time to which the tilings correspond. All events before it are processed, but for some that nearly coincide
-  /// with the last one.
+  /// The time to which the simulation corresponds. All events before it are processed, but for some that nearly
+  /// coincide with the last one.
   double time() const { return now_; }
   bool finished() const { return processed_ >= end(); }
   /// Something has happened: a contact, an overlap, or what was not decided. Then that is the answer.
@@ -54,24 +62,45 @@ class WorldSimulation {
   bool has_tested() const { return has_tested_; }
   std::uint64_t events() const { return budget_.most - budget_.left; }
   /// Of the pairs that are near.
-  std::uint64_t certificates() const;
+  std::uint64_t certificates() const { return certificates_; }
   std::uint64_t certificates_max() const { return certificates_max_; }
+  /// For a simulation of the rest of the same scene.
+  AtRest at_rest() const { return instance_.at_rest(); }
+  const Instance& instance() const { return instance_; }
+  /// Of the bodies, in the input's units: jumps are measured by it.
+  double extent() const { return extent_; }
+  /// It goes on from where that world is, which may stand at a contact.
+  void carry_on(const WorldSimulation& before);
 
  private:
   using Key = std::pair<int, int>;
+  struct Near {
+    std::unique_ptr<KineticSolver> solver;
+    double due = 0;                    ///< no certificate fails before
+    std::optional<TimeInterval> next;  ///< the next event, if it is known
+    std::uint64_t certificates = 0;
+  };
+  using Pairs = std::map<Key, Near>;
+
   static Key key(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
-  KineticSolver& pair(const Key& key);
+  void begin_pair(const Key& key, std::optional<double> from);
+  void end_pair(const Key& key);
+  void change_pairs(const NearBodies::Changes& changes, std::optional<double> from);
+  void enqueue(Pairs::iterator pair);
   KineticSolver* only_tiling() const;
-  bool first_to_fail(double t);
-  void forget_distant_pairs();
-  bool may_meet_at_start(int a, int b) const;
-  void ask_starts();
-  void ask_starts_of(const std::vector<int>& changed, const std::vector<int>& groups_before);
-  void advance_in_window(double t);
-  void advance_pairs(double to);
-  void replan_pairs_of(int body);
+  void ask_starts_of_groups();
+  bool first_is_box() const { return queue_.empty() || near_.until() <= queue_.begin()->first; }
+  double first_due() const;
+  double next_due() const;
+  void renew_boxes();
+  double process_first(double limit);
+  static double result_end(const Near& near);
+  void look(Near& near, double soon, double limit);
+  void take_step(Near& near, double limit);
   void note_time();
-  void conclude();
+  void replan_pairs_of(int body, const std::vector<int>& changed);
+  void count_certificates(Near& near);
+  bool conclude(double limit);
   void check_body(BodyId body) const;
   void check_motion(BodyId body, const Motion& motion) const;
   void note_tested() { has_tested_ = has_tested_ || !coverage().is_empty(); }
@@ -82,13 +111,14 @@ class WorldSimulation {
   Instance instance_;
   std::vector<std::string> names_;
   double extent_ = 0;
-  NearPairs near_;
-  std::map<Key, std::unique_ptr<KineticSolver>> pairs_;
   EventBudget budget_;
-  double now_;        ///< the time to which the tilings correspond
-  double processed_;  ///< all events before this time are processed
-  TimeInterval next_{};
-  std::uint64_t certificates_max_ = 0;
+  NearBodies near_;
+  Pairs pairs_;
+  std::set<std::pair<double, Key>> queue_;  ///< of all pairs with no result, by what is due
+  std::set<Key> ended_;                     ///< pairs with a result: a contact, an overlap, or what was not decided
+  double now_;                              ///< the present
+  double processed_;                        ///< all events up to this time are processed
+  std::uint64_t certificates_ = 0, certificates_max_ = 0;
   bool has_tested_ = false;
   Answer answer_;
 };

@@ -21,6 +21,8 @@ constexpr std::uint64_t work_of_vertex = 16;
 KineticSolver::KineticSolver(const Instance& world, int a, int b, Offset offset, EventBudget& budget,
                              KineticObserver* observer)
     : world_(world),
+      a_(a),
+      b_(b),
       offset_(offset),
       budget_(budget),
       observer_(observer),
@@ -58,8 +60,8 @@ void KineticSolver::resolve_start() {
 void KineticSolver::begin(double from) {
   leave();
   engines_ = std::make_unique<RingEngines>(
-      bodies_, geometry_, offset_, from == world_.start() ? segments_ : segments_of(bodies_, from, world_.end()),
-      engine_observer());
+      bodies_, geometry_, offset_,
+      from == segments_.place(0).start ? segments_ : segments_of(bodies_, from, world_.end()), engine_observer());
   at_ = window_ = from;
 }
 
@@ -117,16 +119,41 @@ bool KineticSolver::work(double from, double to, std::uint64_t effort) {
   });
 }
 
-void KineticSolver::step(double from, double to) {
+void KineticSolver::start_at(double from) {
   guarded(from, [&] {
     enter(from);
-    return advance(to, 1);
+    return true;
   });
 }
 
-void KineticSolver::replan(double now) {
+std::optional<TimeInterval> KineticSolver::next_event(double t) {
+  std::optional<TimeInterval> next;
+  guarded(at_, [&] {
+    if (const auto found = engines_->next_event(t)) next = {found->first, found->second};
+    return true;
+  });
+  return next;
+}
+
+void KineticSolver::step(double t) {
+  if (!open()) return;
+  guarded(at_, [&] { return advance(t, 1); });
+}
+
+void KineticSolver::stand_at(double t) {
+  if (!open() || !engines_) return;
+  guarded(at_, [&] {
+    const RingEngines::Arrival arrival = engines_->advance(t);
+    if (arrival == RingEngines::Arrival::contact) note_contact();
+    at_ = t;
+    return true;
+  });
+}
+
+bool KineticSolver::replan(double now) {
+  if (!open() || !engines_ || !engines_->can_replan_at(now)) return false;
   at_ = window_ = now;
-  bodies_ = world_.pair(bodies_.body(Role::p), bodies_.body(Role::q));
+  bodies_ = world_.pair(a_, b_);
   segments_ = world_.segments(bodies_);
   // The world starts just before the present, with a joint at the present unless the relative motion stays as it was,
   // or ends now.
@@ -137,6 +164,7 @@ void KineticSolver::replan(double now) {
     rest = segments_of(bodies_, now, world_.end());
   }
   engines_->replan(std::move(rest));
+  return true;
 }
 
 bool KineticSolver::advance(double to, std::uint64_t events) {

@@ -41,11 +41,17 @@ class KineticSolver final : public PairSolver, private EngineObserver {
   void ask_start() override;
   /// Stops between two events, and builds no tiling that takes more work.
   bool work(double from, double to, std::uint64_t effort) override;
-  /// Like work(), up to `to` or to the next event.
-  void step(double from, double to);
-  /// The world has changed the motions from the present on, to which the tilings correspond. They stay; their
-  /// certificates are computed anew.
-  void replan(double now);
+  /// For callers that process events one by one, in the order of all pairs. Builds the tilings at that time.
+  void start_at(double from);
+  /// An enclosure of the time of the next event up to t. Nothing if there is none, or it is undecided: see result().
+  std::optional<TimeInterval> next_event(double t);
+  /// Processes the next event up to t, if there is one.
+  void step(double t);
+  /// Stands at t: there must be no event up to then.
+  void stand_at(double t);
+  /// The world has changed the motions from now on. The tilings stay, and their certificates are computed anew. Returns
+  /// false where tilings must be built anew: they correspond to a later time, or there are none.
+  bool replan(double now);
   const PairResult& result() const override { return result_; }
   std::optional<ContactInstant> instant() const override { return instant_of(result_, segments_, geometry_); }
   StageCounts stages() const override;
@@ -77,6 +83,7 @@ class KineticSolver final : public PairSolver, private EngineObserver {
   void give_up(const std::string& reason, double until);
 
   const Instance& world_;
+  int a_, b_;  ///< the bodies, in the order that decides their roles
   Offset offset_;
   EventBudget& budget_;
   KineticObserver* observer_;

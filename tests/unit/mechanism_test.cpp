@@ -13,6 +13,7 @@
 #include "taut/io.hpp"
 #include "taut/mechanism_motion.hpp"
 #include "taut/pose.hpp"
+#include "taut/simulation.hpp"
 
 namespace taut::testing {
 namespace {
@@ -121,6 +122,9 @@ TEST(MechanismFile, KeepsTheTimeOfASceneThatLocks) {
   const Answer answer = check(scene);
   EXPECT_EQ(answer.outcome, Outcome::locked);
   EXPECT_EQ(answer.free_until, scene.end);
+  Simulation simulation(scene);
+  EXPECT_EQ(simulation.advance_to(1), SimulationState::locked);
+  EXPECT_EQ(simulation.time(), scene.end);
 }
 
 /// Polygons stand for the curves, and the lock is said of the bodies themselves.

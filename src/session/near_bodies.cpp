@@ -1,0 +1,216 @@
+#include "session/near_bodies.hpp"
+
+#include <algorithm>
+#include <boost/geometry.hpp>
+#include <boost/geometry/geometries/box.hpp>
+#include <boost/geometry/geometries/point_xy.hpp>
+#include <boost/geometry/index/rtree.hpp>
+#include <cmath>
+#include <iterator>
+
+#include "certificate/root.hpp"
+#include "numeric/budget.hpp"
+
+namespace taut::internal {
+namespace {
+
+/// A box that meets another one may be so much longer than the body itself.
+constexpr double longest_share = 1.5;
+
+}  // namespace
+
+/// Of all boxes. It computes areas: coordinates beyond 2^300 are moved there, after which no fewer boxes meet.
+class NearBodies::Tree {
+ public:
+  void insert(int body, const AxisBox& box) { tree_.insert({bounded(box), body}); }
+  void remove(int body, const AxisBox& box) { tree_.remove({bounded(box), body}); }
+  std::vector<int> find(const AxisBox& box) const {
+    std::vector<int> found;
+    for (auto it = tree_.qbegin(boost::geometry::index::intersects(bounded(box))); it != tree_.qend(); ++it)
+      found.push_back(it->second);
+    std::sort(found.begin(), found.end());
+    return found;
+  }
+  /// Does the box meet one that is wanted?
+  template <class Wanted>
+  bool find_one(const AxisBox& box, const Wanted& wanted) const {
+    for (auto it = tree_.qbegin(boost::geometry::index::intersects(bounded(box))); it != tree_.qend(); ++it) {
+      if (wanted(it->second)) return true;
+    }
+    return false;
+  }
+
+ private:
+  using Corner = boost::geometry::model::d2::point_xy<double>;
+  using Rectangle = boost::geometry::model::box<Corner>;
+
+  static Rectangle bounded(const AxisBox& box) {
+    const auto near = [](double x) { return std::clamp(x, -0x1p300, 0x1p300); };
+    return {{near(box.lo_x), near(box.lo_y)}, {near(box.hi_x), near(box.hi_y)}};
+  }
+
+  boost::geometry::index::rtree<std::pair<Rectangle, int>, boost::geometry::index::quadratic<16>> tree_;
+};
+
+NearBodies::NearBodies(const Instance& instance)
+    : instance_(instance),
+      single_(instance.is_single_pair()),
+      near_(instance.bodies().size()),
+      latest_(instance.start()),
+      tree_(std::make_unique<Tree>()) {
+  if (single_) {
+    if (instance.excluded(0, 1)) return;
+    near_[0].insert(1);
+    near_[1].insert(0);
+    return;
+  }
+  boxes_.resize(near_.size());
+  for (std::size_t k = 0; k < boxes_.size(); ++k) {
+    const int body = static_cast<int>(k);
+    boxes_[k].length = instance.end() - instance.start();
+    place(body, box_of(body, instance.start(), false));
+  }
+  for (std::size_t k = 0; k < boxes_.size(); ++k) {
+    const int body = static_cast<int>(k);
+    if (!(boxes_[k].to < instance.end())) continue;
+    lift(body);
+    place(body, box_of(body, instance.start(), true));
+  }
+  Changes ignored;
+  for (std::size_t k = 0; k < boxes_.size(); ++k) find_near(static_cast<int>(k), ignored);
+}
+
+NearBodies::~NearBodies() = default;
+
+std::vector<NearBodies::Pair> NearBodies::pairs() const {
+  std::vector<Pair> all;
+  for (std::size_t a = 0; a < near_.size(); ++a) {
+    for (const int b : near_[a]) {
+      if (static_cast<int>(a) < b) all.emplace_back(static_cast<int>(a), b);
+    }
+  }
+  return all;
+}
+
+double NearBodies::until() const { return ends_.empty() ? never : ends_.begin()->first; }
+
+bool NearBodies::may_meet(int a, int b) const {
+  if (a == b || instance_.excluded(a, b)) return false;
+  const std::vector<InstanceBody>& bodies = instance_.bodies();
+  return bodies[static_cast<std::size_t>(a)].group != bodies[static_cast<std::size_t>(b)].group;
+}
+
+bool NearBodies::meets_any(int body, const AxisBox& box) const {
+  return tree_->find_one(box, [&](int other) { return may_meet(body, other); });
+}
+
+std::vector<int> NearBodies::met_by(int body, const AxisBox& box) const {
+  std::vector<int> met = tree_->find(box);
+  std::erase_if(met, [&](int other) { return !may_meet(body, other); });
+  return met;
+}
+
+bool NearBodies::is_short(int body, const AxisBox& box) const {
+  return box.longest() <= longest_share * instance_.bodies()[static_cast<std::size_t>(body)].rings->diagonal();
+}
+
+double NearBodies::shortest_time() const {
+  return std::ldexp(instance_.end() - instance_.start(), -most_window_halvings);
+}
+
+NearBodies::Box NearBodies::box_until(int body, double from, double to) const {
+  checkpoint();
+  return {swept_box(instance_.bodies()[static_cast<std::size_t>(body)], from, to), from, to,
+          boxes_[static_cast<std::size_t>(body)].length};
+}
+
+/// If it may be `alone`, a box that meets no other one may be long, even until the end. Otherwise twice the time of the
+/// last short box is halved until the box is short.
+NearBodies::Box NearBodies::box_of(int body, double from, bool alone) const {
+  const auto will_do = [&](const Box& box) { return is_short(body, box.box) || (alone && !meets_any(body, box.box)); };
+  const double end = instance_.end(), shortest = shortest_time();
+  if (alone) {
+    const Box whole = box_until(body, from, end);
+    if (will_do(whole)) return whole;
+  }
+  double length = std::min(2 * boxes_[static_cast<std::size_t>(body)].length, end - from);
+  for (;; length /= 2) {
+    Box box = box_until(body, from, std::min(end, std::max(from + length, std::nextafter(from, never))));
+    box.length = length;
+    if (length <= shortest || will_do(box)) return box;
+  }
+}
+
+void NearBodies::place(int body, const Box& box) {
+  boxes_[static_cast<std::size_t>(body)] = box;
+  tree_->insert(body, box.box);
+  if (box.to < instance_.end()) ends_.insert({box.to, body});
+}
+
+void NearBodies::lift(int body) {
+  const Box& box = boxes_[static_cast<std::size_t>(body)];
+  tree_->remove(body, box.box);
+  ends_.erase({box.to, body});
+}
+
+/// All boxes are renewed before any pair is looked for. What is in the way of a long box shortens it.
+void NearBodies::renew(const std::vector<int>& bodies, double from, Changes& changes) {
+  latest_ = std::max(latest_, from);
+  for (const int body : bodies) lift(body);
+  std::vector<int> renewed = bodies;
+  for (const int body : bodies) place(body, box_of(body, from, true));
+  for (std::size_t k = 0; k < renewed.size(); ++k) {
+    for (const int other : met_by(renewed[k], boxes_[static_cast<std::size_t>(renewed[k])].box)) {
+      const Box& box = boxes_[static_cast<std::size_t>(other)];
+      if (is_short(other, box.box) || box.to - box.from <= shortest_time()) continue;
+      lift(other);
+      place(other, box_of(other, from, false));
+      renewed.push_back(other);
+    }
+  }
+  for (const int body : renewed) find_near(body, changes);
+}
+
+void NearBodies::find_near(int body, Changes& changes) {
+  const std::vector<int> met = met_by(body, boxes_[static_cast<std::size_t>(body)].box);
+  std::set<int>& near = near_[static_cast<std::size_t>(body)];
+  std::vector<int> come, gone;
+  std::set_difference(met.begin(), met.end(), near.begin(), near.end(), std::back_inserter(come));
+  std::set_difference(near.begin(), near.end(), met.begin(), met.end(), std::back_inserter(gone));
+  const auto pair = [body](int other) { return Pair(std::min(body, other), std::max(body, other)); };
+  for (const int other : come) {
+    near.insert(other);
+    near_[static_cast<std::size_t>(other)].insert(body);
+    changes.come.push_back(pair(other));
+  }
+  for (const int other : gone) {
+    near.erase(other);
+    near_[static_cast<std::size_t>(other)].erase(body);
+    changes.gone.push_back(pair(other));
+  }
+}
+
+NearBodies::Changes NearBodies::renew() {
+  const double from = until();
+  std::vector<int> ended;
+  for (auto it = ends_.begin(); it != ends_.end() && it->first == from; ++it) ended.push_back(it->second);
+  Changes changes;
+  renew(ended, from, changes);
+  return changes;
+}
+
+NearBodies::Changes NearBodies::change(const std::vector<int>& changed, double from) {
+  Changes changes;
+  if (single_) return changes;
+  std::vector<int> renewed = changed;
+  for (std::size_t k = 0; latest_ > from && k < boxes_.size(); ++k) {
+    if (boxes_[k].from > from) renewed.push_back(static_cast<int>(k));
+  }
+  std::sort(renewed.begin(), renewed.end());
+  renewed.erase(std::unique(renewed.begin(), renewed.end()), renewed.end());
+  latest_ = from;
+  renew(renewed, from, changes);
+  return changes;
+}
+
+}  // namespace taut::internal

@@ -1,0 +1,75 @@
+// The pairs of a simulated world that may meet soon.
+#pragma once
+
+#include <memory>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "scene/instance.hpp"
+#include "scene/swept_box.hpp"
+
+namespace taut::internal {
+
+/// Every body has a box that holds it for a while, until a time of its own. Bodies are near each other while their
+/// boxes meet, and no other pair meets. A body whose box ends gets a new one, from then on, and is tested against the
+/// boxes of all others, in a tree. A box that meets others is at most half as long again as the body; one that meets no
+/// other may be long. So a body costs what it moves near others, and a change of its motion costs no more. Pairs of
+/// bodies that move alike are never near. A single pair is near all the time.
+class NearBodies {
+ public:
+  using Pair = std::pair<int, int>;
+  /// The pairs, a < b, that a change has brought near each other, and those that it has parted; each in order.
+  struct Changes {
+    std::vector<Pair> come, gone;
+  };
+
+  /// The motions must outlive this object. Begins at their start.
+  explicit NearBodies(const Instance& instance);
+  ~NearBodies();
+
+  /// The pairs at the beginning.
+  std::vector<Pair> pairs() const;
+  /// When the first box ends; infinite if all of them reach the end of the world.
+  double until() const;
+  /// No box begins later.
+  double latest() const { return latest_; }
+  /// Renews the boxes that end then, from then on.
+  Changes renew();
+  /// These bodies, in order, move in another way from that time on. Boxes that begin later are renewed from then on,
+  /// too.
+  Changes change(const std::vector<int>& changed, double from);
+  bool has(int a, int b) const { return near_[static_cast<std::size_t>(a)].count(b) > 0; }
+  /// The bodies near one body, in order.
+  const std::set<int>& of(int body) const { return near_[static_cast<std::size_t>(body)]; }
+
+ private:
+  class Tree;
+  struct Box {
+    AxisBox box;
+    double from = 0, to = 0;
+    double length = 0;  ///< of the time of the last short box
+  };
+
+  bool may_meet(int a, int b) const;
+  double shortest_time() const;
+  bool is_short(int body, const AxisBox& box) const;
+  bool meets_any(int body, const AxisBox& box) const;
+  Box box_until(int body, double from, double to) const;
+  Box box_of(int body, double from, bool alone) const;
+  std::vector<int> met_by(int body, const AxisBox& box) const;
+  void place(int body, const Box& box);
+  void lift(int body);
+  void renew(const std::vector<int>& bodies, double from, Changes& changes);
+  void find_near(int body, Changes& changes);
+
+  const Instance& instance_;
+  bool single_;
+  std::vector<Box> boxes_;
+  std::vector<std::set<int>> near_;
+  std::set<std::pair<double, int>> ends_;  ///< of boxes that end before the world does
+  double latest_ = 0;                      ///< no box begins later
+  std::unique_ptr<Tree> tree_;
+};
+
+}  // namespace taut::internal
