@@ -33,6 +33,11 @@ class ExpansionCache {
     roots_noted_ = 0;
     is_stale_ = true;
   }
+  /// Gives the room back, for others in this thread to use.
+  void release() {
+    clear();
+    kept_.reset();
+  }
   /// The function expanded about the frame's instant, valid until the next call. Until the cache is cleared, all frames
   /// must belong to one segment and all functions to the same bodies.
   const FixedPointExpansion& of(const FrameExpansion& frame, const MotionSegment& segment, const PairGeometry& g,

@@ -39,6 +39,8 @@ struct FrameExpansion {
 class FrameExpansionCache {
  public:
   /// Makes room, so that later queries allocate nothing.
+  /// Gives the room back, for others in this thread to use.
+  void release() { kept_.reset(); }
   void reserve() {
     if (kept_) return;
     kept_ = ThreadLocalPool<std::vector<FrameExpansion>>::take();

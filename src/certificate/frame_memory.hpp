@@ -19,6 +19,12 @@ struct FrameMemory {
     expansions.reserve();
     functions.reserve();
   }
+  /// Gives the room back, for others in this thread to use.
+  void release() {
+    expansions.release();
+    functions.release();
+    models.clear();
+  }
   void reset(const MotionSegment& segment) {
     expansions.reset(segment);
     functions.clear();

@@ -181,17 +181,19 @@ double Engine::proved_until() const {
 
 /// A bridge at that time has not begun as long as its parameter is 0.
 bool Engine::can_replan_at(double t) const {
-  if (state_ != EngineState::running && state_ != EngineState::finished) return false;
-  if (segment().bridge) return segment().joint == t && parameter_ == 0;
-  return segment().start < t && time() <= t && t <= segment().end;
+  if (state_ == EngineState::overlap) return false;
+  const double processed = contact_ ? before_contact_ : parameter_;
+  if (segment().bridge) return segment().joint == t && processed == 0 && !contact_;
+  return segment().start < t && processed <= t && t <= (contact_ ? contact_->lo : segment().end);
 }
 
 void Engine::replan(MotionSegments segments) {
-  if (!segment().bridge) parameter_ = std::max(parameter_, segments.place(0).start);
+  if (!segment().bridge) parameter_ = segments.place(0).start;
+  contact_.reset();
   dormant_.note_motion(segment(), parameter_);
   segments_ = std::move(segments);
   current_ = 0;
-  if (state_ == EngineState::finished) state_ = EngineState::running;
+  state_ = EngineState::running;
   reserve_for_segments();
   enter_segment();
 }
@@ -264,6 +266,7 @@ void Engine::process(CertificateId id, double limit) {
   }
   const RepairReport& report = event.report;
   const bool collides = report.repair == Repair::collision;
+  before_contact_ = parameter_;
   if (collides) solver_.tighten(c);
   ++events_;
   // Enclosures of events that nearly coincide overlap, but time must not go back. Nor may it pass the limit: the

@@ -77,10 +77,13 @@ class Engine {
   /// The certificate that will fail next. Requires that next_event() found one.
   const Certificate& upcoming() const { return certificates_[next_.value]; }
   /// Can all segments from that time on be replaced? The engine must not have come to a joint at that time, or beyond
-  /// the time; and there must be no event up to then.
+  /// the time; and there must be no event up to then. A contact changes no tiling: the time may be right before it.
   bool can_replan_at(double t) const;
   /// Replaces all segments from that time on, at which the first new one starts: see can_replan_at().
   void replan(MotionSegments segments);
+
+  /// Of many engines, one after the other works: this one gives memory that it can do without to the next one.
+  void put_aside() { solver_.release_cells(); }
 
   std::uint64_t events() const { return events_; }
   std::size_t active_certificates() const { return active_; }
@@ -137,7 +140,8 @@ class Engine {
   DormantCertificates dormant_;
   CertificateId next_;
   double parameter_ = 0;
-  double reached_ = 0;  ///< a lower bound of the last event's time
+  double reached_ = 0;         ///< a lower bound of the last event's time
+  double before_contact_ = 0;  ///< up to this parameter, events before the contact were processed
   EngineState state_ = EngineState::running;
   std::optional<Overlap> overlap_;
   std::optional<FoundContact> contact_;

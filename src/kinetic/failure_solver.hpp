@@ -42,6 +42,11 @@ class FailureSolver {
     clock_.reserve_cells();
     memory_.reserve_expansions();
   }
+  /// Gives room that is not needed between two queries to others in this thread.
+  void release_cells() {
+    clock_.release();
+    memory_.release();
+  }
   std::size_t bytes() const {
     return pool_.capacity() * sizeof(PreciseTime) + pool_free_.capacity() * sizeof(std::int32_t);
   }

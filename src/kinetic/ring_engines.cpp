@@ -123,6 +123,7 @@ bool RingEngines::can_replan_at(double t) const {
 void RingEngines::replan(MotionSegments segments) {
   segments_ = std::move(segments);
   exchanged_segments_.reset();
+  contact_.reset();
   for (Run& run : runs_) run.engine->replan(segments_in_roles(run.exchanged));
 }
 

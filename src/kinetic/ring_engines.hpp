@@ -46,6 +46,11 @@ class RingEngines {
   /// Replaces all segments from the time on at which the first new one starts.
   void replan(MotionSegments segments);
 
+  /// See Engine::put_aside().
+  void put_aside() {
+    for (Run& run : runs_) run.engine->put_aside();
+  }
+
   /// A contact in terms of the pair's geometry and segments.
   struct Found {
     FoundContact contact;

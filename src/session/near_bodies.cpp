@@ -9,6 +9,8 @@
 #include <iterator>
 
 #include "certificate/root.hpp"
+#include "geometry/displacement.hpp"
+#include "motion/pose.hpp"
 #include "numeric/budget.hpp"
 
 namespace taut::internal {
@@ -52,6 +54,19 @@ class NearBodies::Tree {
   boost::geometry::index::rtree<std::pair<Rectangle, int>, boost::geometry::index::quadratic<16>> tree_;
 };
 
+/// Around the middle of the bounds, with room for the displacement.
+NearBodies::Disc NearBodies::disc_around(const RingSet& rings) {
+  const AxisBox& bounds = rings.bounds();
+  Disc disc{{(bounds.lo_x + bounds.hi_x) / 2, (bounds.lo_y + bounds.hi_y) / 2}, 0};
+  for (std::size_t k = 0; k < rings.rings().size(); ++k) {
+    for (const Point& p : rings.points(k))
+      disc.radius = std::max(disc.radius, length(p.x - disc.centre.x, p.y - disc.centre.y));
+  }
+  const double rounding = 0x1p-50 * (std::fabs(disc.centre.x) + std::fabs(disc.centre.y));
+  disc.radius = disc.radius * (1 + 0x1p-40) + rounding + displacement_room;
+  return disc;
+}
+
 NearBodies::NearBodies(const Instance& instance)
     : instance_(instance),
       single_(instance.is_single_pair()),
@@ -65,6 +80,7 @@ NearBodies::NearBodies(const Instance& instance)
     return;
   }
   boxes_.resize(near_.size());
+  for (const InstanceBody& body : instance.bodies()) discs_.push_back(disc_around(*body.rings));
   for (std::size_t k = 0; k < boxes_.size(); ++k) {
     const int body = static_cast<int>(k);
     boxes_[k].length = instance.end() - instance.start();
@@ -120,7 +136,7 @@ double NearBodies::shortest_time() const {
 
 NearBodies::Box NearBodies::box_until(int body, double from, double to) const {
   checkpoint();
-  return {swept_box(instance_.bodies()[static_cast<std::size_t>(body)], from, to), from, to,
+  return {swept_box(instance_.bodies()[static_cast<std::size_t>(body)], from, to), from, to, Way(),
           boxes_[static_cast<std::size_t>(body)].length};
 }
 
@@ -141,7 +157,60 @@ NearBodies::Box NearBodies::box_of(int body, double from, bool alone) const {
   }
 }
 
-void NearBodies::place(int body, const Box& box) {
+/// From its middle, with a bound of how much the second derivative makes of it. Only while the body and its parents
+/// follow one piece each, and no joint comes at the end. A change of motion begins a box one ulp before: that is the
+/// jump which apart_until() asks for.
+NearBodies::Way NearBodies::way_of(int body, double from, double to) const {
+  const InstanceBody& moving = instance_.bodies()[static_cast<std::size_t>(body)];
+  const double next = std::nextafter(from, never);
+  PieceChain chain;
+  bool joins = false;
+  for (const PieceList& motion : moving.motions) {
+    if (motion.at(from).until == next) from = next;
+  }
+  for (const PieceList& motion : moving.motions) {
+    chain.push_back(motion.at(from));
+    joins = joins || chain.back().until <= to;
+  }
+  if (chain.empty()) chain.emplace_back();
+  Way way;
+  way.error = never;
+  if (joins) return way;
+  const auto [at, over, half] = poses_over(chain, discs_[static_cast<std::size_t>(body)].centre, from, to);
+  const auto error = [half](const Jet<double>& middle, const Jet<double>& range) {
+    return middle.v.rad + middle.d.rad * half + range.dd.magnitude() * half * half;
+  };
+  way = {from + (to - from) / 2, at.ox.v.mid, at.oy.v.mid, at.ox.d.mid, at.oy.d.mid, 0};
+  way.error = error(at.ox, over.ox) + error(at.oy, over.oy);
+  if (!std::isfinite(way.error) || !std::isfinite(way.x + way.y + way.vx + way.vy)) way.error = never;
+  return way;
+}
+
+/// Solves |p + v t| = r for the distance p of the centres: where rounding might matter, r has room for it.
+double NearBodies::apart_until(int a, int b, double from, double jump) const {
+  if (single_) return from;
+  const Box &first = boxes_[static_cast<std::size_t>(a)], &second = boxes_[static_cast<std::size_t>(b)];
+  const Way &p = first.way, &q = second.way;
+  const double to = std::min(first.to, second.to);
+  const double sp = from - p.about, sq = from - q.about;
+  const double x = (p.x + p.vx * sp) - (q.x + q.vx * sq), y = (p.y + p.vy * sp) - (q.y + q.vy * sq);
+  const double vx = p.vx - q.vx, vy = p.vy - q.vy;
+  const double magnitude = std::fabs(p.x) + std::fabs(p.y) + std::fabs(q.x) + std::fabs(q.y) +
+                           (std::fabs(p.vx) + std::fabs(p.vy)) * std::fabs(sp) +
+                           (std::fabs(q.vx) + std::fabs(q.vy)) * std::fabs(sq) +
+                           (std::fabs(vx) + std::fabs(vy)) * (to - from);
+  const double r = discs_[static_cast<std::size_t>(a)].radius + discs_[static_cast<std::size_t>(b)].radius + p.error +
+                   q.error + 2 * jump + 0x1p-40 * magnitude;
+  const double gap = x * x + y * y - r * r, closing = -(x * vx + y * vy), square = vx * vx + vy * vy;
+  if (!(to > from) || !(gap > 0x1p-20 * (x * x + y * y))) return from;
+  if (closing <= 0) return to;
+  const double root = closing * closing - square * gap;
+  if (root < 0) return to;
+  return std::min(to, from + gap / (closing + std::sqrt(root)) * (1 - 0x1p-30));
+}
+
+void NearBodies::place(int body, Box box) {
+  box.way = way_of(body, box.from, box.to);
   boxes_[static_cast<std::size_t>(body)] = box;
   tree_->insert(body, box.box);
   if (box.to < instance_.end()) ends_.insert({box.to, body});
@@ -169,6 +238,7 @@ void NearBodies::renew(const std::vector<int>& bodies, double from, Changes& cha
     }
   }
   for (const int body : renewed) find_near(body, changes);
+  changes.renewed = std::move(renewed);
 }
 
 void NearBodies::find_near(int body, Changes& changes) {

@@ -1,6 +1,7 @@
 // The pairs of a simulated world that may meet soon.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <set>
 #include <utility>
@@ -16,12 +17,15 @@ namespace taut::internal {
 /// boxes of all others, in a tree. A box that meets others is at most half as long again as the body; one that meets no
 /// other may be long. So a body costs what it moves near others, and a change of its motion costs no more. Pairs of
 /// bodies that move alike are never near. A single pair is near all the time.
+///
+/// A disc around each body keeps most of these pairs apart for longer: see apart_until().
 class NearBodies {
  public:
   using Pair = std::pair<int, int>;
   /// The pairs, a < b, that a change has brought near each other, and those that it has parted; each in order.
   struct Changes {
     std::vector<Pair> come, gone;
+    std::vector<int> renewed;  ///< bodies with new boxes
   };
 
   /// The motions must outlive this object. Begins at their start.
@@ -32,10 +36,17 @@ class NearBodies {
   std::vector<Pair> pairs() const;
   /// When the first box ends; infinite if all of them reach the end of the world.
   double until() const;
+  /// When the first one of two boxes ends.
+  double until(int a, int b) const {
+    return std::min(boxes_[static_cast<std::size_t>(a)].to, boxes_[static_cast<std::size_t>(b)].to);
+  }
   /// No box begins later.
   double latest() const { return latest_; }
   /// Renews the boxes that end then, from then on.
   Changes renew();
+  /// Up to when discs around the two bodies are certainly apart, from that time on; at most until either box ends. The
+  /// time itself if they are not. At that time, bodies may jump by so much.
+  double apart_until(int a, int b, double from, double jump = 0) const;
   /// These bodies, in order, move in another way from that time on. Boxes that begin later are renewed from then on,
   /// too.
   Changes change(const std::vector<int>& changed, double from);
@@ -45,12 +56,23 @@ class NearBodies {
 
  private:
   class Tree;
+  struct Disc {
+    Point centre;  ///< in the body's coordinates
+    double radius = 0;
+  };
+  /// The centre of the disc moves evenly, but for an error: it is at (x, y) + (t - about) (vx, vy).
+  struct Way {
+    double about = 0, x = 0, y = 0, vx = 0, vy = 0;
+    double error = 0;  ///< infinite where it is not known
+  };
   struct Box {
     AxisBox box;
     double from = 0, to = 0;
+    Way way;
     double length = 0;  ///< of the time of the last short box
   };
 
+  static Disc disc_around(const RingSet& rings);
   bool may_meet(int a, int b) const;
   double shortest_time() const;
   bool is_short(int body, const AxisBox& box) const;
@@ -58,7 +80,8 @@ class NearBodies {
   Box box_until(int body, double from, double to) const;
   Box box_of(int body, double from, bool alone) const;
   std::vector<int> met_by(int body, const AxisBox& box) const;
-  void place(int body, const Box& box);
+  Way way_of(int body, double from, double to) const;
+  void place(int body, Box box);
   void lift(int body);
   void renew(const std::vector<int>& bodies, double from, Changes& changes);
   void find_near(int body, Changes& changes);
@@ -66,6 +89,7 @@ class NearBodies {
   const Instance& instance_;
   bool single_;
   std::vector<Box> boxes_;
+  std::vector<Disc> discs_;
   std::vector<std::set<int>> near_;
   std::set<std::pair<double, int>> ends_;  ///< of boxes that end before the world does
   double latest_ = 0;                      ///< no box begins later

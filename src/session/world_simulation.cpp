@@ -46,7 +46,7 @@ WorldSimulation::WorldSimulation(const Scene& scene, Touch touch, std::uint64_t 
   for (const InstanceBody& body : instance_.bodies()) body.rings->displaced(offset_for(touch));
   answer_.outcome = Outcome::free;
   note_tested();
-  for (const Key& pair : near_.pairs()) begin_pair(pair, std::nullopt);
+  for (const Key& pair : near_.pairs()) add_pair(pair, std::nullopt);
   if (instance_.tests_groups()) ask_starts_of_groups();
   conclude(now_);
 }
@@ -57,32 +57,53 @@ void WorldSimulation::ask_starts_of_groups() {
   std::iota(all.begin(), all.end(), 0);
   MeetingBoxes(instance_, all, instance_.start(), instance_.start()).each([&](int a, int b, bool) {
     if (near_.has(a, b)) return;
-    begin_pair({a, b}, std::nullopt);
+    add_pair({a, b}, std::nullopt, never);
     if (ended_.count({a, b}) == 0) end_pair({a, b});
   });
 }
 
-/// Its tilings are built at that time, at which the two are apart; without one, at the start of the motions, and
-/// whether the two overlap there is asked.
-void WorldSimulation::begin_pair(const Key& key, std::optional<double> from) {
+/// A pair that is near from that time on, at which the two are apart; without one, from the start of the motions on,
+/// and whether the two overlap there is asked.
+void WorldSimulation::add_pair(const Key& key, std::optional<double> from, double jump) {
+  const auto pair = pairs_.emplace(key, Near{}).first;
+  if (!leave_to_discs(pair, from.value_or(now_), jump)) begin_tilings(pair, from);
+  enqueue(pair);
+}
+
+/// If discs keep the two bodies apart for a while, that is enough. Nothing must be due before.
+bool WorldSimulation::leave_to_discs(Pairs::iterator pair, double from, double jump) {
+  const auto [a, b] = pair->first;
+  const double apart = near_.apart_until(a, b, from, jump);
+  if (!(apart > from)) return false;
+  Near& near = pair->second;
+  near.due = apart;
+  near.next.reset();
+  near.solver.reset();
+  near.has_changed = false;
+  return true;
+}
+
+/// At that time, or at the start of the motions.
+void WorldSimulation::begin_tilings(Pairs::iterator pair, std::optional<double> from) {
+  const auto [a, b] = pair->first;
   // Made first: a limit may end that.
-  auto solver =
-      std::make_unique<KineticSolver>(instance_, key.first, key.second, offset_for(touch_), budget_, observer_);
+  auto solver = std::make_unique<KineticSolver>(instance_, a, b, offset_for(touch_), budget_, observer_);
   if (from) {
     solver->start_at(*from);
   } else {
     solver->ask_start();
   }
-  const auto pair = pairs_.emplace(key, Near{}).first;
   pair->second.solver = std::move(solver);
   pair->second.due = from.value_or(instance_.start());
-  enqueue(pair);
+  pair->second.next.reset();
 }
 
 /// Into the queue, or to the pairs that have come to an end.
 void WorldSimulation::enqueue(Pairs::iterator pair) {
-  count_certificates(pair->second);
-  if (pair->second.solver->open()) {
+  Near& near = pair->second;
+  count_certificates(near);
+  if (near.solver && near.solver->engines() && !instance_.is_single_pair()) near.solver->engines()->put_aside();
+  if (!near.solver || near.solver->open()) {
     queue_.insert({pair->second.due, pair->first});
   } else {
     ended_.insert(pair->first);
@@ -98,13 +119,8 @@ void WorldSimulation::end_pair(const Key& key) {
   pairs_.erase(pair);
 }
 
-void WorldSimulation::change_pairs(const NearBodies::Changes& changes, std::optional<double> from) {
-  for (const Key& pair : changes.gone) end_pair(pair);
-  for (const Key& pair : changes.come) begin_pair(pair, from);
-}
-
 void WorldSimulation::count_certificates(Near& near) {
-  const RingEngines* const engines = near.solver->engines();
+  const RingEngines* const engines = near.solver ? near.solver->engines() : nullptr;
   const std::uint64_t count = engines ? engines->certificates() : 0;
   certificates_ = certificates_ - near.certificates + count;
   near.certificates = count;
@@ -117,7 +133,7 @@ KineticSolver* WorldSimulation::single_pair() const {
 
 const RingEngines* WorldSimulation::engines(int a, int b) const {
   const auto known = pairs_.find(key(a, b));
-  return known == pairs_.end() ? nullptr : known->second.solver->engines();
+  return known == pairs_.end() || !known->second.solver ? nullptr : known->second.solver->engines();
 }
 
 /// The time of what is first: a box that ends, or a pair that may have an event.
@@ -129,9 +145,22 @@ double WorldSimulation::next_due() const {
   return std::min(near_.until(), second == queue_.end() ? never : second->first);
 }
 
+/// Nothing is due before that. Tilings of pairs that are apart until a box ends again are not worth keeping.
 void WorldSimulation::renew_boxes() {
   const double from = near_.until();
-  change_pairs(near_.renew(), from);
+  const NearBodies::Changes changes = near_.renew();
+  for (const Key& pair : changes.gone) end_pair(pair);
+  for (const int body : changes.renewed) {
+    for (const int other : near_.of(body)) {
+      const auto known = pairs_.find(key(body, other));
+      if (known == pairs_.end() || ended_.count(known->first) > 0) continue;
+      if (known->second.has_changed || near_.apart_until(body, other, from) < near_.until(body, other)) continue;
+      queue_.erase({known->second.due, known->first});
+      leave_to_discs(known, from, 0);
+      enqueue(known);
+    }
+  }
+  for (const Key& pair : changes.come) add_pair(pair, from);
 }
 
 /// Requires that something is due by the limit. Returns the limit, which a result lowers: nothing after it comes first.
@@ -144,7 +173,12 @@ double WorldSimulation::process_first(double limit) {
   const double soon = std::min(limit, next_due());
   const auto pair = pairs_.find(queue_.begin()->second);
   queue_.erase(queue_.begin());
-  if (pair->second.next) {
+  if (pair->second.has_changed) {
+    follow_change(pair);
+  } else if (!pair->second.solver) {
+    const double due = pair->second.due;
+    if (!leave_to_discs(pair, due, 0)) begin_tilings(pair, due);
+  } else if (pair->second.next) {
     take_step(pair->second, limit);
   } else {
     look(pair->second, soon, limit);
@@ -155,8 +189,8 @@ double WorldSimulation::process_first(double limit) {
 
 /// Infinite without a result.
 double WorldSimulation::result_end(const Near& near) {
+  if (!near.solver || near.solver->open()) return never;
   const PairResult& result = near.solver->result();
-  if (near.solver->open()) return never;
   return result.contact ? result.contact->time.hi : result.free_until;
 }
 
@@ -313,39 +347,57 @@ void WorldSimulation::set_motion(BodyId body, const Motion& motion) {
   check_motion(body, motion);
   const double from = now_ > start_ ? std::nextafter(now_, start_) : now_;
   const std::vector<int> changed = instance_.followers(body);
+  const double jump = jump_of(body);
   instance_.replan(body, motion, now_, from);
   const NearBodies::Changes changes = near_.change(changed, from);
   for (const Key& pair : changes.gone) end_pair(pair);
-  for (const int k : changed) replan_pairs_of(k, changed);
+  for (const int k : changed) {
+    for (const int other : near_.of(k)) {
+      const bool twice = other < k && std::binary_search(changed.begin(), changed.end(), other);
+      if (!twice) replan_pair(key(k, other), k == body ? jump : never);
+    }
+  }
   for (const Key& pair : changes.come) {
-    if (pairs_.count(pair) == 0) begin_pair(pair, std::nullopt);
+    if (pairs_.count(pair) == 0) add_pair(pair, std::nullopt, never);
   }
   note_tested();
   if (!over()) conclude(now_);
 }
 
+/// How far two bodies may jump at the present, in internal units, so that discs still tell that they do not meet on the
+/// way. Several changes at one time count from what the body did before.
+double WorldSimulation::jump_of(BodyId body) const {
+  const PieceList& own = instance_.bodies()[static_cast<std::size_t>(body)].own;
+  if (now_ == start_ || (!own.empty() && own.until(0) == now_)) return never;
+  return std::ldexp(2 * joint_tolerance * extent_, instance_.exponent());
+}
+
 /// A tiling stays if it corresponds to the present, or before. At the start of the scene no bridge is possible. Pairs
-/// that are asked about for the first time, as bodies that have moved alike, may overlap.
-void WorldSimulation::replan_pairs_of(int body, const std::vector<int>& changed) {
-  for (const int other : near_.of(body)) {
-    if (other < body && std::binary_search(changed.begin(), changed.end(), other)) continue;
-    const Key pair = key(body, other);
-    const auto known = pairs_.find(pair);
-    if (known == pairs_.end()) {
-      begin_pair(pair, std::nullopt);
-      continue;
-    }
-    Near& near = known->second;
-    queue_.erase({near.due, pair});
-    if (near.solver->replan(now_)) {
-      near.next.reset();
-      near.due = now_;
-      enqueue(known);
-    } else {
-      end_pair(pair);
-      begin_pair(pair, std::nullopt);
-    }
+/// that are asked about for the first time, as bodies that have moved alike, may overlap. What else there is to do
+/// waits until time goes on: both bodies may change. At the start of the scene, and of a single pair, it is shown at
+/// once.
+void WorldSimulation::replan_pair(const Key& key, double jump) {
+  const auto known = pairs_.find(key);
+  if (known == pairs_.end()) return add_pair(key, std::nullopt, never);
+  Near& near = known->second;
+  queue_.erase({near.due, key});
+  ended_.erase(key);
+  if (leave_to_discs(known, now_, jump)) return enqueue(known);
+  near.has_changed = true;
+  near.next.reset();
+  near.due = now_;
+  if (instance_.is_single_pair() || now_ == start_) {
+    follow_change(known);
+    return enqueue(known);
   }
+  queue_.insert({near.due, key});
+}
+
+void WorldSimulation::follow_change(Pairs::iterator pair) {
+  Near& near = pair->second;
+  near.has_changed = false;
+  if (near.solver && near.solver->replan(now_)) return;
+  begin_tilings(pair, std::nullopt);
 }
 
 }  // namespace taut::internal

@@ -75,17 +75,19 @@ class WorldSimulation {
  private:
   using Key = std::pair<int, int>;
   struct Near {
-    std::unique_ptr<KineticSolver> solver;
-    double due = 0;                    ///< no certificate fails before
-    std::optional<TimeInterval> next;  ///< the next event, if it is known
+    std::unique_ptr<KineticSolver> solver;  ///< null while discs keep the two bodies apart
+    double due = 0;                         ///< no certificate fails before, and discs are apart until then
+    std::optional<TimeInterval> next;       ///< the next event, if it is known
     std::uint64_t certificates = 0;
+    bool has_changed = false;  ///< a body moves in another way from now on: the tilings must follow
   };
   using Pairs = std::map<Key, Near>;
 
   static Key key(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
-  void begin_pair(const Key& key, std::optional<double> from);
+  void add_pair(const Key& key, std::optional<double> from, double jump = 0);
+  void begin_tilings(Pairs::iterator pair, std::optional<double> from);
+  bool leave_to_discs(Pairs::iterator pair, double from, double jump);
   void end_pair(const Key& key);
-  void change_pairs(const NearBodies::Changes& changes, std::optional<double> from);
   void enqueue(Pairs::iterator pair);
   KineticSolver* only_tiling() const;
   void ask_starts_of_groups();
@@ -98,7 +100,9 @@ class WorldSimulation {
   void look(Near& near, double soon, double limit);
   void take_step(Near& near, double limit);
   void note_time();
-  void replan_pairs_of(int body, const std::vector<int>& changed);
+  void replan_pair(const Key& key, double jump);
+  void follow_change(Pairs::iterator pair);
+  double jump_of(BodyId body) const;
   void count_certificates(Near& near);
   bool conclude(double limit);
   void check_body(BodyId body) const;

@@ -151,8 +151,12 @@ void KineticSolver::stand_at(double t) {
 }
 
 bool KineticSolver::replan(double now) {
-  if (!open() || !engines_ || !engines_->can_replan_at(now)) return false;
+  if (!engines_ || !(open() || result_.found) || !engines_->can_replan_at(now)) return false;
   at_ = window_ = now;
+  result_.outcome = Outcome::free;
+  result_.free_until = world_.end();
+  result_.contact.reset();
+  result_.found.reset();
   bodies_ = world_.pair(a_, b_);
   segments_ = world_.segments(bodies_);
   // The world starts just before the present, with a joint at the present unless the relative motion stays as it was,

@@ -1,0 +1,61 @@
+// Event-driven dynamics: contacts a second, memory and drift of energy of gases of polygons.
+//
+//   taut_dynamics [--bodies N]... [--vertices V] [--fraction F] [--contacts M]
+#include <fmt/format.h>
+#include <malloc.h>
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include "dynamics/gas.hpp"
+#include "stopwatch.hpp"
+#include "taut/simulation.hpp"
+
+namespace taut::bench {
+namespace {
+
+double allocated() { return static_cast<double>(mallinfo2().uordblks + mallinfo2().hblkhd); }
+
+void run(int count, int vertices, double fraction, std::uint64_t most) {
+  Gas start = gas(count, vertices, fraction);
+  elastic::Collisions collisions(start.bodies, 0x1p-44 * start.side);
+  const double before = allocated(), energy = collisions.energy();
+  const Stopwatch building;
+  Simulation simulation(start.scene);
+  const double build = building.seconds();
+  double largest = 0;
+  const Stopwatch watch;
+  std::uint64_t again = 0;
+  while (simulation.contacts() < most && simulation.advance_to(start.scene.end) == SimulationState::contact) {
+    again += simulation.contact_again();
+    collisions.respond(simulation);
+    if (simulation.contacts() % 64 == 0) largest = std::max(largest, allocated());
+  }
+  const double seconds = watch.seconds();
+  if (simulation.contacts() < most) fmt::print("# {} {}\n", to_string(simulation.state()), simulation.reason());
+  const double contacts = static_cast<double>(simulation.contacts());
+  fmt::print("{:>7} {:>3} {:>5.2f} {:>8} {:>6} {:>9.1f} {:>9.0f} {:>9.1f} {:>8.1f} {:>9.1f} {:>9.1e}\n", count,
+             vertices, fraction, simulation.contacts(), again, build * 1e3, contacts / seconds,
+             seconds / contacts * 1e6, static_cast<double>(simulation.events()) / contacts,
+             (largest - before) / count / 1024, collisions.energy() / energy - 1);
+}
+
+}  // namespace
+}  // namespace taut::bench
+
+int main(int argc, char** argv) {
+  CLI::App app("event-driven dynamics of polygons");
+  std::vector<int> bodies{100, 1000, 10000};
+  int vertices = 6;
+  double fraction = 0.5;
+  std::uint64_t contacts = 20000;
+  app.add_option("--bodies", bodies, "how many bodies; several for several rows");
+  app.add_option("--vertices", vertices, "of each body: 6 is a hexagon, more an even number for a star");
+  app.add_option("--fraction", fraction, "of the box that bodies fill");
+  app.add_option("--contacts", contacts, "how many contacts to follow");
+  CLI11_PARSE(app, argc, argv);
+  fmt::print("{:>7} {:>3} {:>5} {:>8} {:>6} {:>9} {:>9} {:>9} {:>8} {:>9} {:>9}\n", "bodies", "n", "area", "contacts",
+             "again", "build ms", "per s", "us each", "events", "KiB/body", "energy");
+  for (const int count : bodies) taut::bench::run(count, vertices, fraction, contacts);
+}
