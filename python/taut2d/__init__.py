@@ -54,18 +54,18 @@ from .questions import *
 from .questions import range as range
 from .scene import Body, Scene
 from .shape import Shape
-from .simulations import Simulation, Tiling, TilingEdge, TilingFace
+from .simulations import ContactMotion, SimulatedContact, Simulation, Tiling, TilingEdge, TilingFace
 from .sweeps import SweepAnswers, sweep
 from .variants import KeyframeRows, VelocityRows
 from .viewer import Viewer
 
 # A module that is imported by a star lists its own names.
 __all__ = [
-    "Angle", "Answer", "Arc", "Body", "Cells", "Contact", "Cosine", "Coverage", "Crossing", "CsvKeyframes",
+    "Angle", "Answer", "Arc", "Body", "Cells", "Contact", "ContactMotion", "Cosine", "Coverage", "Crossing", "CsvKeyframes",
     "Direction", "Drawing", "DrawingBody", "DrawingFile", "EdgeRef", "Free", "Gap", "GeojsonFile", "Geometry",
     "HalfAngleTangent", "InputError", "InternalError", "Keyframe", "KeyframeRows", "Keyframes", "Mover", "OpenLine",
     "Orbit", "Outcome", "PairAnswer", "Part", "Path", "Pieces", "Polynomial", "Pose", "Proof", "ProvedCloseness",
-    "Repair", "Revolute", "Scene", "Shape", "Simulation", "Skipped", "Slide", "StaticMap", "Sweep", "SweepAnswers",
+    "Repair", "Revolute", "Scene", "Shape", "SimulatedContact", "Simulation", "Skipped", "Slide", "StaticMap", "Sweep", "SweepAnswers",
     "TautError", "Tiling", "TilingEdge", "TilingFace", "Turn", "UndecidedError", "Velocity", "VelocityRows",
     "Verified", "VertexRef", "Viewer", "WktFile", "answer_dtype", "cells", "check", "check_many", "flatten",
     "prove", "read_drawing", "sweep", "verify",

@@ -8,6 +8,7 @@
 
 #include "certificate/root.hpp"
 #include "motion/pieces.hpp"
+#include "numeric/budget.hpp"
 #include "scene/meeting_boxes.hpp"
 #include "scene/overlap_witness.hpp"
 #include "scene/validate_scene.hpp"
@@ -165,7 +166,18 @@ void WorldSimulation::renew_boxes() {
 
 /// Requires that something is due by the limit. Returns the limit, which a result lowers: nothing after it comes first.
 double WorldSimulation::process_first(double limit) {
-  checkpoint();
+  const double due = first_due();
+  try {
+    checkpoint();
+    return process_due(limit);
+  } catch (const Interrupted&) {
+    // So far all is proved, whatever is half done now.
+    now_ = std::max(now_, std::min(due, end()));
+    throw;
+  }
+}
+
+double WorldSimulation::process_due(double limit) {
   if (first_is_box()) {
     renew_boxes();
     return limit;

@@ -96,6 +96,7 @@ class WorldSimulation {
   double next_due() const;
   void renew_boxes();
   double process_first(double limit);
+  double process_due(double limit);
   static double result_end(const Near& near);
   void look(Near& near, double soon, double limit);
   void take_step(Near& near, double limit);
