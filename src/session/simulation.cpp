@@ -76,6 +76,7 @@ std::unique_ptr<WorldSimulation> Simulation::Impl::make_world(const Scene& from_
 /// Every pair in contact counts.
 void Simulation::Impl::note_contact() {
   if (!world || !in_contact()) return;
+  changed_since_contact = false;
   const Answer& answer = world->answer();
   std::vector<std::array<BodyId, 2>> pairs{*answer.pair};
   for (const PairAnswer& other : answer.also) pairs.push_back(other.bodies);

@@ -21,8 +21,9 @@ void Simulation::Impl::check_body(BodyId body) const {
 
 void Simulation::Impl::set_motion(BodyId body, const Motion& motion) {
   check_body(body);
-  world->set_motion(body, motion);
   if (world->over() && !in_contact()) return;
+  world->set_motion(body, motion);
+  changed_since_contact = true;
   scene.bodies[static_cast<std::size_t>(body)].motion = motion;
   if (options.record) record.change(body, motion, world->time());
 }

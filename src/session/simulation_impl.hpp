@@ -104,6 +104,7 @@ struct Simulation::Impl final : KineticObserver {
   std::uint64_t events_before = 0;  ///< of worlds before this one
   std::uint64_t certificates_max_before = 0;
   std::uint64_t traced = 0;
+  bool changed_since_contact = false;  ///< a motion, by set_motion()
   bool broken = false;
   std::string reason;  ///< why it is undecided, or empty
   double start;

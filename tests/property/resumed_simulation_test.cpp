@@ -9,6 +9,7 @@
 #include "support/large_world.hpp"
 #include "support/made_world.hpp"
 #include "support/responses.hpp"
+#include "support/simulated_run.hpp"
 #include "support/simulated_worlds.hpp"
 #include "taut/error.hpp"
 #include "taut/motions.hpp"
@@ -103,6 +104,21 @@ TEST(ResumedSimulation, GoesWhereTheRestOfTheSceneGoes) {
   std::cout << counts.contacts << " contacts, " << counts.again << " again, " << counts.several << " of several pairs, "
             << counts.finished << " ends, " << counts.scenes << " recorded scenes\n";
   EXPECT_GE(counts.contacts, static_cast<int>(enough(500)));
+}
+
+/// All calls there are, in any order; every fifth world has up to 60 bodies.
+TEST(ResumedSimulation, AnySequenceOfCallsComesToWhatTheRestOfTheSceneComesTo) {
+  RunTally tally;
+  for (std::uint64_t seed = 0; seed < effort(600); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Scene scene = scene_of(seed % 5 == 0 ? large_world(seed).world : random_world(seed + 30000));
+    ASSERT_EQ(wrong_with_run(seed, scene, seed % 3 == 2 ? Touch::closed : Touch::open, 40, tally), "");
+  }
+  std::cout << tally.calls << " calls, " << tally.refused << " refused, " << tally.contacts << " contacts, "
+            << tally.again << " again, " << tally.several << " of several pairs, " << tally.ends << " ends, "
+            << tally.scenes << " recorded scenes\n";
+  EXPECT_GE(tally.contacts, static_cast<int>(enough(500)));
+  EXPECT_GE(tally.again, static_cast<int>(enough(20)));
 }
 
 /// A ball between two walls: the contacts are known.

@@ -22,6 +22,7 @@
 #include "support/carried_scene.hpp"
 #include "support/exact_comparison.hpp"
 #include "support/prepared_scene.hpp"
+#include "support/simulated_run.hpp"
 #include "taut/error.hpp"
 #include "taut/io.hpp"
 #include "taut/proof.hpp"
@@ -78,6 +79,7 @@ struct Limits {
   bool worlds = false;          ///< soak_world()
   bool questions = false;       ///< all questions about small scenes
   bool curves = false;          ///< curved_soak_scene()
+  bool simulations = false;     ///< simulations of soak_world() that go on after contacts
 };
 
 /// Questions are asked about scenes made of contacts, and others by turns, if they are small.
@@ -200,6 +202,26 @@ class Soak {
     report(fmt::format("{}, {}: {}", file, made.family, wrong), file, scene_of(made.world), part);
   }
 
+  void look_at_simulation(std::uint64_t number, SoakTotals& part) {
+    const LargeWorld made = soak_world(number);
+    Tally tally;
+    RunTally run;
+    const Scene scene = scene_of(made.world);
+    ++tally.scenes;
+    std::string wrong;
+    try {
+      wrong = wrong_with_run(number, scene, number % 3 == 2 ? Touch::closed : Touch::open, 100, run);
+    } catch (const std::exception& error) {
+      wrong = error.what();
+    }
+    tally.contact += static_cast<std::uint64_t>(run.contacts);
+    tally.free += static_cast<std::uint64_t>(run.scenes);
+    part.by_family["simulations, " + made.family] += tally;
+    if (wrong.empty()) return;
+    const std::string file = fmt::format("{}/simulation-{}.json", folder_, number);
+    report(fmt::format("{}, {}: {}", file, made.family, wrong), file, scene, part);
+  }
+
   void look_at_curves(std::uint64_t number, SoakTotals& part) {
     const CurvedSoakScene made = curved_soak_scene(number);
     Tally tally;
@@ -219,6 +241,7 @@ class Soak {
   void look_at(std::uint64_t number, SoakTotals& part) {
     if (limits_.worlds) return look_at_world(number, part);
     if (limits_.curves) return look_at_curves(number, part);
+    if (limits_.simulations) return look_at_simulation(number, part);
     const SoakScene s = scene_for(number, limits_);
     Tally tally;
     const std::string wrong = limits_.questions ? examine_questions(s, number, limits_.seconds, tally)
@@ -243,9 +266,9 @@ class Soak {
 /// One scene a line.
 void print_scenes(std::uint64_t first, std::uint64_t count, const Limits& limits) {
   for (std::uint64_t k = first; k < first + count; ++k) {
-    std::string text = write_scene(limits.worlds   ? scene_of(soak_world(k).world)
-                                   : limits.curves ? curved_soak_scene(k).scene
-                                                   : scene_for(k, limits).scene);
+    std::string text = write_scene(limits.worlds || limits.simulations ? scene_of(soak_world(k).world)
+                                   : limits.curves                     ? curved_soak_scene(k).scene
+                                                                       : scene_for(k, limits).scene);
     text.erase(std::remove(text.begin(), text.end(), '\n'), text.end());
     fmt::print("{}\n", text);
   }
@@ -290,6 +313,10 @@ int main(int argc, char** argv) {
                "Small scenes, about which all questions are asked, held against each other, in place of others");
   app.add_flag("--curves", limits.curves,
                "Two bodies with curves, held against chords 4096 times finer than a picture's, in place of others");
+  app.add_flag(
+      "--simulations", limits.simulations,
+      "Simulations of worlds that go on after contacts, by all calls there are, held against the rest of their "
+      "scenes asked afresh, in place of others; free counts recorded scenes");
   app.add_option("--seconds", limits.seconds, "Limit for each engine and scene").positive();
   app.add_option("--findings", folder, "Folder for the scenes with findings").existing_folder();
   app.add_option("--totals", totals, "File in which the counts of all runs are added up");
