@@ -199,8 +199,8 @@ class Simulation {
   const std::string& reason() const;
   /// Which pairs are tested at present: `tested` counts all of them, and `apart` is 0. set_motion() may change that.
   Coverage coverage() const;
-  /// The time to which the tiling corresponds, and up to which the motion is proved free. After an event it is the
-  /// upper end of the event's enclosure. It never decreases.
+  /// Up to when the motion is proved free, and the time to which the tiling corresponds. After an event it is the upper
+  /// end of the event's enclosure, or, where the next one nearly coincides with it, a little less. It never decreases.
   double time() const;
   /// Enclosure of the time of the next event, which never begins before time(): of events that nearly coincide, those
   /// after the first count as no earlier than the end of its enclosure. Empty if none is left before the end, or it is

@@ -180,8 +180,8 @@ class Simulation:
 
     @property
     def time(self) -> float:
-        """Up to when the motion is proved free. After an event, the upper end of that event's enclosure; where events
-        nearly coincide, the next one's may end a little before it."""
+        """Up to when the motion is proved free. After an event, the upper end of that event's enclosure; where the next one
+        nearly coincides with it, a little less. It never decreases."""
         return self._core.standing().time
 
     @property

@@ -59,6 +59,7 @@ BodyId Simulation::add_body(const Body& body) {
   Impl& impl = usable();
   impl.expect_changeable();
   impl.changing([&] {
+    impl.world->settle();
     Scene next = impl.scene;
     next.bodies.push_back(body);
     impl.begin_anew(std::move(next));
@@ -72,6 +73,7 @@ void Simulation::remove_body(BodyId body) {
   impl.expect_changeable();
   impl.check_body(body);
   impl.changing([&] {
+    impl.world->settle();
     Scene next = impl.scene;
     std::string& name = next.bodies[static_cast<std::size_t>(body)].name;
     for (std::size_t k = 0; k < next.bodies.size(); ++k) {
@@ -100,6 +102,7 @@ void Simulation::ignore(BodyId a, BodyId b) {
   impl.check_body(b);
   if (a == b) throw InputError("", "a body is no pair", "name two bodies");
   impl.changing([&] {
+    impl.world->settle();
     Scene next = impl.scene;
     next.ignore.push_back(
         {next.bodies[static_cast<std::size_t>(a)].name, next.bodies[static_cast<std::size_t>(b)].name});
@@ -129,6 +132,7 @@ void Simulation::set_parent(BodyId body, std::optional<BodyId> parent, const Mot
   impl.check_body(body);
   if (parent) impl.check_body(*parent);
   impl.changing([&] {
+    impl.world->settle();
     const auto k = static_cast<std::size_t>(body);
     Scene next = impl.scene;
     next.bodies[k].motion = motion;

@@ -38,6 +38,7 @@ WorldSimulation::WorldSimulation(const Scene& scene, Touch touch, std::uint64_t 
       budget_(max_events),
       near_(instance_),
       now_(scene.start),
+      reached_(scene.start),
       processed_(scene.start) {
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     names_.push_back(scene.bodies[i].name);
@@ -260,11 +261,21 @@ std::optional<TimeInterval> WorldSimulation::next_event(double t) {
   return std::nullopt;
 }
 
-/// Where boxes have ended, or the only pair's motion has gone on to its next piece, without an event.
+/// Where boxes have ended, or the only pair has had an event, or its motion has gone on to its next piece. Not past
+/// what may be a contact: events that nearly coincide may be yet to come.
 void WorldSimulation::note_time() {
-  now_ = std::max(now_, near_.latest());
+  double proved = std::min(first_due(), end());
+  for (const Key& pair : ended_) proved = std::min(proved, pairs_.at(pair).solver->result().free_until);
+  double reached = near_.latest();
   const KineticSolver* const only = single_pair();
-  if (only && only->open() && only->engines()) now_ = std::max(now_, std::min(only->engines()->time(), end()));
+  if (only && only->open() && only->engines()) reached = std::max(reached, only->engines()->time());
+  reached_ = std::max(reached_, reached);
+  now_ = std::max(now_, std::min(reached, proved));
+}
+
+void WorldSimulation::settle() {
+  const double reached = std::max(now_, reached_);
+  if (reached > processed_) advance(reached);
 }
 
 /// The solver of the single pair, if it has just one tiling: then its events can be processed one by one.
@@ -353,8 +364,7 @@ void WorldSimulation::carry_on(const WorldSimulation& before) {
 
 void WorldSimulation::set_motion(BodyId body, const Motion& motion) {
   check_body(body);
-  // Events that nearly coincide with the last one, and the rest of a bridge, belong to the old motion.
-  if (now_ > processed_) advance(now_);
+  settle();
   if (over() && answer_.outcome != Outcome::contact) return;
   check_motion(body, motion);
   const double from = now_ > start_ ? std::nextafter(now_, start_) : now_;

@@ -38,6 +38,9 @@ class WorldSimulation {
   bool step(double t);
   /// An enclosure of the time of the next event of any pair up to t.
   std::optional<TimeInterval> next_event(double t);
+  /// Processes events that nearly coincide with the last one, and the rest of a bridge: they belong to the motions that
+  /// have held until now.
+  void settle();
   /// From the present on; after a contact, too. Throws InputError, and changes nothing.
   void set_motion(BodyId body, const Motion& motion);
   /// Goes on after a contact. Pairs whose motions are still the same are in contact again.
@@ -122,6 +125,7 @@ class WorldSimulation {
   std::set<std::pair<double, Key>> queue_;  ///< of all pairs with no result, by what is due
   std::set<Key> ended_;                     ///< pairs with a result: a contact, an overlap, or what was not decided
   double now_;                              ///< the present
+  double reached_ = 0;                      ///< the end of the last event
   double processed_;                        ///< all events up to this time are processed
   std::uint64_t certificates_ = 0, certificates_max_ = 0;
   bool has_tested_ = false;

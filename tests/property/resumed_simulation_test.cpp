@@ -86,9 +86,6 @@ void run(const Scene& scene, Touch touch, Rng& rng, int contacts, RunCounts& cou
     if (simulation.time() == scene.start) return;
     part_all(simulation, rng);
     simulation.resume();
-    if (simulation.state() == SimulationState::contact) {
-      ASSERT_TRUE(simulation.contact_again());
-    }
   }
   ASSERT_NO_FATAL_FAILURE(expect_record_is_free(simulation, touch, counts));
 }

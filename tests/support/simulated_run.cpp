@@ -143,6 +143,7 @@ class SimulatedRun {
   /// Mostly the bodies part; now and then they go on as they were, or some other way.
   std::string answer_contact() {
     const double before = simulation_.time();
+    const std::array<BodyId, 2> pair = *simulation_.pair();
     const bool stays = rng_.chance(0.1);
     // At the start there is no time before, in which they could part.
     if (before == simulation_.record().front().start && !stays) {
@@ -156,7 +157,9 @@ class SimulatedRun {
     simulation_.resume();
     if (simulation_.state() != SimulationState::contact) return "";
     ++tally_.again;
-    if (!simulation_.contact_again()) return "a contact at once is not the one from which it was resumed";
+    // Another pair may come so close after it that doubles do not tell the times apart.
+    if (!simulation_.contact_again() && *simulation_.pair() == pair)
+      return "a contact at once is not said to be one again";
     return simulation_.time() < before ? "time goes back" : "";
   }
 
