@@ -37,7 +37,8 @@
 // Objects with memory
 //   taut/static_map.hpp  one body among many that rest, asked often
 //   taut/map_query.hpp   what a planner asks of such a map: places, straight motions, chains of links
-//   taut/simulation.hpp  the motion online: step, advance, change a motion, get the tiling
+//   taut/simulation.hpp  the motion online: step, advance, change a motion, go on after a contact, get the tiling
+//   taut/contact_motions.hpp  what bodies do at a contact: stop, give way, follow a cam
 //
 // Scenes
 //   taut/scene.hpp       bodies, motions, time
@@ -60,6 +61,7 @@
 #include "taut/cells.hpp"
 #include "taut/check.hpp"
 #include "taut/clearance.hpp"
+#include "taut/contact_motions.hpp"
 #include "taut/coverage.hpp"
 #include "taut/envelope.hpp"
 #include "taut/error.hpp"

@@ -168,7 +168,9 @@ bool Engine::step(double t) {
   }
   parameter_ = segment().bridge ? segment().end : std::max(parameter_, std::min(t, segment().end));
   reached_ = parameter_;
-  if (current_ + 1 == segments_.size() && parameter_ >= segment().end) state_ = EngineState::finished;
+  // Not where an event has led the engine beyond t: another one may be yet to come.
+  const bool at_end = current_ + 1 == segments_.size() && (segment().bridge || t >= segment().end);
+  if (at_end && parameter_ >= segment().end) state_ = EngineState::finished;
   return false;
 }
 

@@ -22,8 +22,15 @@ void Simulation::Impl::check_body(BodyId body) const {
 void Simulation::Impl::set_motion(BodyId body, const Motion& motion) {
   check_body(body);
   if (world->over() && !in_contact()) return;
-  world->set_motion(body, motion);
   changed_since_contact = true;
+  if (world->time() == begun_anew) {
+    // Right where a world begins there is nothing before, from which a bridge could lead.
+    world->check_motion(body, motion);
+    Scene next = scene;
+    next.bodies[static_cast<std::size_t>(body)].motion = motion;
+    return begin_anew(std::move(next));
+  }
+  world->set_motion(body, motion);
   scene.bodies[static_cast<std::size_t>(body)].motion = motion;
   if (options.record) record.change(body, motion, world->time());
 }
@@ -48,6 +55,7 @@ void Simulation::Impl::begin_anew(Scene next) {
   certificates_max_before = std::max(certificates_max_before, world->certificates_max());
   fresh->carry_on(*world);
   world = std::move(fresh);
+  begun_anew = now;
   scene = std::move(next);
   removed = std::move(gone);
   if (!options.record) return;

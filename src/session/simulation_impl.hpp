@@ -1,6 +1,7 @@
 // What is behind a Simulation: the world that goes on, its limits, its record, and the tracer.
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -104,6 +105,7 @@ struct Simulation::Impl final : KineticObserver {
   std::uint64_t events_before = 0;  ///< of worlds before this one
   std::uint64_t certificates_max_before = 0;
   std::uint64_t traced = 0;
+  double begun_anew = std::numeric_limits<double>::quiet_NaN();  ///< when begin_anew() was called last
   bool changed_since_contact = false;  ///< a motion, by set_motion()
   bool broken = false;
   std::string reason;  ///< why it is undecided, or empty

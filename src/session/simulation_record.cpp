@@ -44,6 +44,12 @@ std::vector<Scene> MotionRecord::scenes(double t) const {
   std::vector<Scene> all = ended_;
   all.push_back(current_);
   all.back().end = t;
+  if (!(t > current_.start)) return all;
+  // What begins at t, and the jump to it, has not been done.
+  for (Body& body : all.back().bodies) {
+    std::vector<MotionPiece>& pieces = body.motion.pieces;
+    while (pieces.size() > 1 && pieces[pieces.size() - 2].until >= t) pieces.pop_back();
+  }
   return all;
 }
 

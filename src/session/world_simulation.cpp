@@ -173,7 +173,7 @@ double WorldSimulation::process_first(double limit) {
     return process_due(limit);
   } catch (const Interrupted&) {
     // So far all is proved, whatever is half done now.
-    now_ = std::max(now_, std::min(due, end()));
+    now_ = std::max(now_, std::min(std::nextafter(due, -never), end()));
     throw;
   }
 }
@@ -245,6 +245,16 @@ void WorldSimulation::advance(double t) {
   if (KineticSolver* const only = single_pair()) only->stand_at(t);
 }
 
+/// The time of the first pair that has come to an end.
+std::optional<double> WorldSimulation::first_end() const {
+  std::optional<double> first;
+  for (const Key& pair : ended_) {
+    const double time = time_of(answer_of(pairs_.at(pair).solver->result()));
+    first = std::min(first.value_or(time), time);
+  }
+  return first;
+}
+
 std::optional<TimeInterval> WorldSimulation::next_event(double t) {
   while (!over() && first_due() <= t) {
     const double due = first_due();
@@ -253,7 +263,11 @@ std::optional<TimeInterval> WorldSimulation::next_event(double t) {
       // Enclosures of events that nearly coincide overlap, and that of the first one is past.
       if (first.next) return TimeInterval{std::max(first.next->lo, now_), std::max(first.next->hi, now_)};
     }
-    if (conclude(due)) break;
+    if (const std::optional<double> ended = first_end(); ended && *ended <= due) {
+      // A contact that was found before, but comes now. Others may come with it.
+      advance(std::min(t, std::max(*ended, due)));
+      break;
+    }
     process_first(t);
     note_time();
   }
@@ -264,7 +278,8 @@ std::optional<TimeInterval> WorldSimulation::next_event(double t) {
 /// Where boxes have ended, or the only pair has had an event, or its motion has gone on to its next piece. Not past
 /// what may be a contact: events that nearly coincide may be yet to come.
 void WorldSimulation::note_time() {
-  double proved = std::min(first_due(), end());
+  // What is due may come right then.
+  double proved = std::min(std::nextafter(first_due(), -never), end());
   for (const Key& pair : ended_) proved = std::min(proved, pairs_.at(pair).solver->result().free_until);
   double reached = near_.latest();
   const KineticSolver* const only = single_pair();

@@ -43,6 +43,8 @@ class WorldSimulation {
   void settle();
   /// From the present on; after a contact, too. Throws InputError, and changes nothing.
   void set_motion(BodyId body, const Motion& motion);
+  /// Throws InputError unless the motion is valid from the present on, and has the body where it is.
+  void check_motion(BodyId body, const Motion& motion) const;
   /// Goes on after a contact. Pairs whose motions are still the same are in contact again.
   void resume();
 
@@ -96,6 +98,7 @@ class WorldSimulation {
   void ask_starts_of_groups();
   bool first_is_box() const { return queue_.empty() || near_.until() <= queue_.begin()->first; }
   double first_due() const;
+  std::optional<double> first_end() const;
   double next_due() const;
   void renew_boxes();
   double process_first(double limit);
@@ -110,7 +113,6 @@ class WorldSimulation {
   void count_certificates(Near& near);
   bool conclude(double limit);
   void check_body(BodyId body) const;
-  void check_motion(BodyId body, const Motion& motion) const;
   void note_tested() { has_tested_ = has_tested_ || !coverage().is_empty(); }
 
   Touch touch_;

@@ -1,0 +1,209 @@
+#include "taut/contact_motions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "solver/run.hpp"
+#include "taut/error.hpp"
+#include "taut/pose.hpp"
+#include "taut/shape.hpp"
+
+namespace taut {
+namespace {
+
+/// So much faster than it is pushed does a body go for a while.
+constexpr double faster = 1 + 0x1p-4;
+
+/// The contact of that body at which the simulation stands.
+const Contact& contact_of(const Simulation& simulation, BodyId body) {
+  const auto is_of = [body](const Contact& c) { return c.vertex.body == body || c.edge.body == body; };
+  if (simulation.contact() && is_of(*simulation.contact())) return *simulation.contact();
+  for (const PairAnswer& other : simulation.also()) {
+    if (is_of(*other.contact)) return *other.contact;
+  }
+  throw InputError("", fmt::format("the simulation does not stand at a contact of body {}", body),
+                   "ask at a contact, before resume()");
+}
+
+/// The pose of the frame in which the body's motion is seen.
+BodyPose frame_of(const Simulation& simulation, BodyId body) {
+  const std::vector<Body>& bodies = simulation.scene().bodies;
+  const std::string& parent = bodies[static_cast<std::size_t>(body)].relative_to;
+  if (parent.empty()) return {};
+  const auto found = std::find_if(bodies.begin(), bodies.end(), [&](const Body& b) { return b.name == parent; });
+  return poses_at(simulation.scene(), simulation.time())[static_cast<std::size_t>(found - bodies.begin())];
+}
+
+Point turned_back(const BodyPose& frame, const Point& world) {
+  return {frame.axis.x * world.x + frame.axis.y * world.y, frame.axis.x * world.y - frame.axis.y * world.x};
+}
+
+/// Where the contact is, and the direction out of the other body, as the body's parent sees them.
+struct SeenContact {
+  Point point, out;
+
+  SeenContact(const Simulation& simulation, BodyId body, const Contact& contact) {
+    const BodyPose frame = frame_of(simulation, body);
+    const double sign = contact.vertex.body == body ? 1 : -1;
+    out = turned_back(frame, {sign * contact.normal.x, sign * contact.normal.y});
+    point = turned_back(frame, {contact.point.x - frame.origin.x, contact.point.y - frame.origin.y});
+  }
+};
+
+/// Where a body is now, seen from its parent, and how it goes on.
+MotionPiece standing(const Simulation& simulation, BodyId body) {
+  const double t = simulation.time();
+  const BodyPose at = pose_at(simulation.scene().bodies[static_cast<std::size_t>(body)].motion, t);
+  MotionPiece piece;
+  piece.origin = t;
+  piece.x = {at.origin.x};
+  piece.y = {at.origin.y};
+  if (at.axis.x != 1 || at.axis.y != 0) piece.rotation = AngleRotation{{std::atan2(at.axis.y, at.axis.x)}};
+  return piece;
+}
+
+/// Moved along the guide, by a way and at a rate: both in radians about a hinge, else in lengths.
+MotionPiece guided(MotionPiece piece, const Guide& guide, double way, double rate) {
+  if (!guide.hinge) {
+    const double size = std::hypot(guide.direction.x, guide.direction.y);
+    const Point d{guide.direction.x / size, guide.direction.y / size};
+    piece.x = {piece.x[0] + way * d.x, rate * d.x};
+    piece.y = {piece.y[0] + way * d.y, rate * d.y};
+    return piece;
+  }
+  const AngleRotation* const turn = std::get_if<AngleRotation>(&piece.rotation);
+  const double angle = turn ? turn->angle[0] : 0, c = std::cos(angle), s = std::sin(angle);
+  const Point d{guide.hinge->x - piece.x[0], guide.hinge->y - piece.y[0]};
+  piece.pivot = {c * d.x + s * d.y, c * d.y - s * d.x};
+  piece.x = {guide.hinge->x - piece.pivot.x};
+  piece.y = {guide.hinge->y - piece.pivot.y};
+  piece.rotation = AngleRotation{{angle + way, rate}};
+  return piece;
+}
+
+/// How fast the body leaves the contact along the normal if it moves along its guide at rate 1.
+double leaving(const Guide& guide, const SeenContact& seen) {
+  if (guide.hinge) {
+    const Point arm{seen.point.x - guide.hinge->x, seen.point.y - guide.hinge->y};
+    return arm.x * seen.out.y - arm.y * seen.out.x;
+  }
+  const double size = std::hypot(guide.direction.x, guide.direction.y);
+  if (!(size > 0)) throw InputError("guide", "it has neither a hinge nor a direction", "give one of them");
+  return (guide.direction.x * seen.out.x + guide.direction.y * seen.out.y) / size;
+}
+
+}  // namespace
+
+double small_gap(const Simulation& simulation) {
+  double largest = 0;
+  const auto include = [&largest](const Point& p) { largest = std::max({largest, std::fabs(p.x), std::fabs(p.y)}); };
+  for (const BodyPose& pose : poses_at(simulation.scene(), simulation.time())) include(pose.origin);
+  for (const Body& body : simulation.scene().bodies) {
+    if (body.parts.empty()) std::for_each(polygon_of(body).begin(), polygon_of(body).end(), include);
+    for (const Part& part : body.parts) std::for_each(part.outline.begin(), part.outline.end(), include);
+  }
+  return 0x1p-44 * largest;
+}
+
+void stop(Simulation& simulation, BodyId body, double gap) {
+  const SeenContact seen(simulation, body, contact_of(simulation, body));
+  const double way = gap > 0 ? gap : small_gap(simulation);
+  MotionPiece piece = standing(simulation, body);
+  piece.x[0] += way * seen.out.x;
+  piece.y[0] += way * seen.out.y;
+  simulation.set_motion(body, {{piece}});
+}
+
+void push(Simulation& simulation, BodyId body, const Guide& guide, double step, double gap) {
+  if (!(step > 0)) throw InputError("step", "it is not positive", "give a time");
+  const Contact contact = contact_of(simulation, body);
+  if (!(simulation.relative_velocity(contact).along_normal.lo < 0)) return;
+  const SeenContact seen(simulation, body, contact);
+  const double share = leaving(guide, seen);
+  if (!(std::fabs(share) > 0x1p-20))
+    throw InputError("guide", "along it the body does not leave the contact", "give it another hinge or direction");
+  const double way = (gap > 0 ? gap : small_gap(simulation)) / share;
+  const MotionPiece here = standing(simulation, body);
+  // At rest it shows how fast the other body comes.
+  simulation.set_motion(body, {{guided(here, guide, way, 0)}});
+  const double speed = std::max(0.0, -simulation.relative_velocity(contact).along_normal.lo);
+  const double rate = speed * faster / share;
+  MotionPiece moving = guided(here, guide, way, rate);
+  moving.until = simulation.time() + step;
+  if (moving.until < simulation.scene().end) {
+    const double passed = moving.until - moving.origin;
+    simulation.set_motion(body, {{moving, guided(here, guide, way + rate * passed, 0)}});
+  } else {
+    moving.until = std::numeric_limits<double>::infinity();
+    simulation.set_motion(body, {{moving}});
+  }
+}
+
+namespace {
+
+/// All other bodies are the cam: they are not tested against each other.
+Scene coming_down(const Scene& scene, BodyId follower) {
+  Scene drop = scene;
+  const std::string& name = scene.bodies[static_cast<std::size_t>(follower)].name;
+  for (std::size_t a = 0; a < scene.bodies.size(); ++a) {
+    for (std::size_t b = a + 1; b < scene.bodies.size(); ++b) {
+      const std::string &first = scene.bodies[a].name, &second = scene.bodies[b].name;
+      if (first != name && second != name) drop.ignore.push_back({first, second});
+    }
+  }
+  return drop;
+}
+
+/// The height at an instant of the way down, with room for rounding, here and in the way itself.
+Enclosure height(double reach, double from, double speed, const TimeInterval& time, const Point& place) {
+  const double room = 0x1p-50 * (reach + std::fabs(place.x) + std::fabs(place.y));
+  return {reach - speed * (time.hi - from) - room, reach - speed * (time.lo - from) + room};
+}
+
+}  // namespace
+
+std::vector<Lift> follow(const Scene& scene, BodyId follower, Point direction, double reach, std::size_t instants,
+                         Touch touch) {
+  const auto count = static_cast<BodyId>(scene.bodies.size());
+  if (follower < 0 || follower >= count)
+    throw InputError("follower", "there is no body " + std::to_string(follower),
+                     "bodies are 0 to " + std::to_string(count - 1));
+  if (!(reach > 0)) throw InputError("reach", "it is not positive", "give a height at which the follower is free");
+  Scene drop = coming_down(scene, follower);
+  Body& body = drop.bodies[static_cast<std::size_t>(follower)];
+  const BodyPose at = pose_at(body.motion, scene.start);
+  CheckOptions options;
+  options.touch = touch;
+  options.tell_touching = false;
+  std::vector<Lift> lifts;
+  const auto boundary = [&](std::size_t k) {
+    return k == instants
+               ? scene.end
+               : scene.start + (scene.end - scene.start) * static_cast<double>(k) / static_cast<double>(instants);
+  };
+  for (std::size_t k = 0; k < instants; ++k) {
+    drop.start = boundary(k);
+    drop.end = boundary(k + 1);
+    const double speed = reach / (drop.end - drop.start);
+    MotionPiece piece;
+    piece.origin = drop.start;
+    piece.x = {at.origin.x + reach * direction.x, -speed * direction.x};
+    piece.y = {at.origin.y + reach * direction.y, -speed * direction.y};
+    if (at.axis.x != 1 || at.axis.y != 0) piece.rotation = AngleRotation{{std::atan2(at.axis.y, at.axis.x)}};
+    body.motion = {{piece}};
+    const Answer answer = internal::run_engines(drop, options);
+    if (answer.outcome == Outcome::undecided) throw UndecidedError(answer.reason);
+    if (answer.outcome == Outcome::overlap_at_start)
+      throw InputError("reach", fmt::format("at t = {}, the follower overlaps another body there", drop.start),
+                       "give a height at which it is free at all times");
+    if (!answer.contact) continue;
+    lifts.push_back({answer.contact->time, height(reach, drop.start, speed, answer.contact->time, at.origin),
+                     answer.contact->vertex, answer.contact->edge});
+  }
+  return lifts;
+}
+
+}  // namespace taut

@@ -1,0 +1,117 @@
+// What bodies do at a contact: stop, give way, follow a cam.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "taut/check.hpp"
+#include "taut/contact_motions.hpp"
+#include "taut/error.hpp"
+#include "taut/motions.hpp"
+#include "taut/pose.hpp"
+
+namespace taut::testing {
+namespace {
+
+Polygon rectangle(double x, double y, double width, double height) {
+  return {{x, y}, {x + width, y}, {x + width, y + height}, {x, y + height}};
+}
+
+SimulationOptions recorded() {
+  SimulationOptions options;
+  options.record = true;
+  return options;
+}
+
+TEST(ContactMotions, ABodyStops) {
+  Scene scene;
+  scene.end = 10;
+  scene.bodies = {{"car", rectangle(0, 0, 2, 1), Motion{{{{0, 1}, {0, 0.125}, AngleRotation{{0, 0.1}}}}}},
+                  {"wall", rectangle(6, -5, 1, 20), {}}};
+  Simulation simulation(scene, recorded());
+  EXPECT_THROW(stop(simulation, 0), InputError);
+  ASSERT_EQ(simulation.advance_to(10), SimulationState::contact);
+  const BodyPose before = poses_at(simulation.scene(), simulation.time())[0];
+  stop(simulation, 0);
+  simulation.resume();
+  EXPECT_EQ(simulation.advance_to(10), SimulationState::finished);
+  const BodyPose after = poses_at(simulation.scene(), 10)[0];
+  EXPECT_NEAR(after.origin.x, before.origin.x, 1e-11);
+  EXPECT_NEAR(after.origin.y, before.origin.y, 1e-11);
+  EXPECT_NEAR(after.axis.y, before.axis.y, 1e-11);
+  EXPECT_EQ(check(simulation.record()[0]).outcome, Outcome::free);
+}
+
+/// The opener's corner, at (x, 1), touches the door, which is hinged at (4, 4) and hangs down from there: the least
+/// angle is known at all times.
+TEST(ContactMotions, ADoorIsPushedOpen) {
+  Scene scene;
+  scene.end = 5;
+  scene.bodies = {{"opener", rectangle(0, 0, 1, 1), from_velocity({1, 0})},
+                  {"door", rectangle(4, 0.25, 0.25, 3.75), {}}};
+  const Guide guide{Point{4, 4}, {}};
+  for (const double step : {0.25, 0.03125}) {
+    Simulation simulation(scene, recorded());
+    int contacts = 0;
+    for (; simulation.advance_to(5) == SimulationState::contact && contacts < 10000; ++contacts) {
+      EXPECT_FALSE(simulation.contact_again());
+      const BodyPose door = poses_at(simulation.scene(), simulation.time())[1];
+      const double angle = std::atan2(door.axis.y, door.axis.x), x = 1 + simulation.time();
+      // The corner is on the door's left face, a line through the hinge.
+      EXPECT_NEAR((x - 4) * std::cos(angle) + (1 - 4.0) * std::sin(angle), 0, 1e-10);
+      push(simulation, 1, guide, step);
+      simulation.resume();
+    }
+    EXPECT_EQ(simulation.state(), SimulationState::finished) << simulation.reason();
+    EXPECT_EQ(check(simulation.record()[0]).outcome, Outcome::free);
+    const BodyPose door = poses_at(simulation.scene(), 5)[1];
+    const double angle = std::atan2(door.axis.y, door.axis.x), least = std::atan2(2, 3);
+    EXPECT_GE(angle, least);
+    EXPECT_LE(angle, least + step / 2);
+    EXPECT_GE(contacts, 1.5 / step);
+    EXPECT_LE(contacts, 2 / step + 1);
+  }
+}
+
+TEST(ContactMotions, ABlockIsPushedAlong) {
+  Scene scene;
+  scene.end = 10;
+  scene.bodies = {{"pusher", rectangle(0, 0, 1, 1), from_velocity({1, 0})}, {"block", rectangle(3, 0.25, 1, 1), {}}};
+  Simulation simulation(scene, recorded());
+  ASSERT_EQ(simulation.advance_to(10), SimulationState::contact);
+  EXPECT_THROW(push(simulation, 1, Guide{std::nullopt, {0, 1}}, 1), InputError);
+  EXPECT_THROW(push(simulation, 1, Guide{}, 1), InputError);
+  EXPECT_THROW(push(simulation, 1, Guide{std::nullopt, {1, 0}}, 0), InputError);
+  while (simulation.advance_to(10) == SimulationState::contact) {
+    EXPECT_NEAR(poses_at(simulation.scene(), simulation.time())[1].origin.x, simulation.time() - 2, 1e-9);
+    push(simulation, 1, Guide{std::nullopt, {2, 0}}, 0.75);
+    simulation.resume();
+  }
+  EXPECT_EQ(simulation.state(), SimulationState::finished) << simulation.reason();
+  EXPECT_GE(simulation.contacts(), 10u);
+  EXPECT_EQ(check(simulation.record()[0]).outcome, Outcome::free);
+}
+
+/// A square that turns about its centre, under a flat plate: the lift is that of the highest corner.
+TEST(ContactMotions, AFollowerLiesOnACam) {
+  Scene scene;
+  scene.end = 1;
+  scene.bodies = {{"cam", rectangle(-1, -1, 2, 2), from_velocity({0, 0}, 90)}, {"plate", rectangle(-3, 1, 6, 0.5), {}}};
+  const std::vector<Lift> lifts = follow(scene, 1, {0, 1}, 2, 100);
+  ASSERT_EQ(lifts.size(), 100u);
+  for (const Lift& lift : lifts) {
+    const double angle = std::numbers::pi / 2 * lift.time.lo;
+    const double top = std::sqrt(2.0) * std::cos(angle - std::numbers::pi / 4) - 1;
+    EXPECT_NEAR(lift.lift.lo, top, 1e-12);
+    EXPECT_LE(lift.lift.lo, lift.lift.hi);
+    EXPECT_LT(lift.lift.hi - lift.lift.lo, 1e-12);
+    EXPECT_EQ(lift.vertex.body, 0);
+    EXPECT_EQ(lift.vertex.index, 2);
+    EXPECT_EQ(lift.edge.body, 1);
+  }
+  EXPECT_THROW(follow(scene, 1, {0, 1}, 0.2, 10), InputError);
+  EXPECT_THROW(follow(scene, 2, {0, 1}, 1, 10), InputError);
+}
+
+}  // namespace
+}  // namespace taut::testing
