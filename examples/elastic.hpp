@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "taut/simulation.hpp"
@@ -57,6 +58,13 @@ class Collisions {
   double energy() const {
     double sum = 0;
     for (const RigidBody& body : bodies_) sum += body.energy();
+    return sum;
+  }
+  /// Of all bodies, and what those without a mass were given.
+  Point momentum() const {
+    Point sum = given_away_;
+    for (const RigidBody& body : bodies_)
+      sum = {sum.x + body.mass * body.velocity.x, sum.y + body.mass * body.velocity.y};
     return sum;
   }
   taut::Motion motion(BodyId k) const {
@@ -118,6 +126,10 @@ class Collisions {
     const double impulse = approach < 0 ? -2 * approach / (yields(a, turn_a) + yields(b, turn_b)) : 0;
     push(a, n, turn_a, impulse, gap_);
     push(b, n, turn_b, -impulse, -gap_);
+    for (const auto& [body, sign] : {std::pair(&a, 1.0), std::pair(&b, -1.0)}) {
+      if (body->mass > 0) continue;
+      given_away_ = {given_away_.x + sign * impulse * n.x, given_away_.y + sign * impulse * n.y};
+    }
   }
 
   static void push(RigidBody& body, const Point& n, double turn, double impulse, double way) {
@@ -129,6 +141,7 @@ class Collisions {
 
   std::vector<RigidBody> bodies_;
   double gap_;
+  Point given_away_{};
 };
 
 }  // namespace elastic

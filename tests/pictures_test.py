@@ -18,6 +18,7 @@ COMMANDS = {
     "excavator_moving.svg": "draw examples/mechanisms/excavator.json --animate --plain --width 600 -o",
     "jansen_moving.svg": "draw examples/mechanisms/jansen.json --animate --plain --width 400 -o",
     "scissor_lift_moving.svg": "draw examples/mechanisms/scissor_lift.json --animate --plain --width 300 -o",
+    "billiards_moving.svg": "draw examples/worlds/billiards.json --animate --plain --width 480 -o",
     "conveyor_moving.svg": "draw examples/worlds/conveyor.json --animate --plain --width 700 -o",
     "drawer_moving.svg": "draw examples/worlds/drawer.json --animate --plain --width 400 -o",
     "gears_moving.svg": "draw examples/gears_thick_tooth.json --animate -o",

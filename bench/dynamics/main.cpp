@@ -21,6 +21,7 @@ void run(int count, int vertices, double fraction, std::uint64_t most) {
   Gas start = gas(count, vertices, fraction);
   elastic::Collisions collisions(start.bodies, 0x1p-44 * start.side);
   const double before = allocated(), energy = collisions.energy();
+  const Point momentum = collisions.momentum();
   const Stopwatch building;
   Simulation simulation(start.scene);
   const double build = building.seconds();
@@ -35,10 +36,12 @@ void run(int count, int vertices, double fraction, std::uint64_t most) {
   const double seconds = watch.seconds();
   if (simulation.contacts() < most) fmt::print("# {} {}\n", to_string(simulation.state()), simulation.reason());
   const double contacts = static_cast<double>(simulation.contacts());
-  fmt::print("{:>7} {:>3} {:>5.2f} {:>8} {:>6} {:>9.1f} {:>9.0f} {:>9.1f} {:>8.1f} {:>9.1f} {:>9.1e}\n", count,
-             vertices, fraction, simulation.contacts(), again, build * 1e3, contacts / seconds,
-             seconds / contacts * 1e6, static_cast<double>(simulation.events()) / contacts,
-             (largest - before) / count / 1024, collisions.energy() / energy - 1);
+  fmt::print(
+      "{:>7} {:>3} {:>5.2f} {:>8} {:>6} {:>9.1f} {:>9.0f} {:>9.1f} {:>8.1f} {:>9.1f} {:>9.1e} {:>9.1e}\n", count,
+      vertices, fraction, simulation.contacts(), again, build * 1e3, contacts / seconds, seconds / contacts * 1e6,
+      static_cast<double>(simulation.events()) / contacts, (largest - before) / count / 1024,
+      collisions.energy() / energy - 1,
+      std::max(std::fabs(collisions.momentum().x - momentum.x), std::fabs(collisions.momentum().y - momentum.y)));
 }
 
 }  // namespace
@@ -55,7 +58,7 @@ int main(int argc, char** argv) {
   app.add_option("--fraction", fraction, "of the box that bodies fill");
   app.add_option("--contacts", contacts, "how many contacts to follow");
   CLI11_PARSE(app, argc, argv);
-  fmt::print("{:>7} {:>3} {:>5} {:>8} {:>6} {:>9} {:>9} {:>9} {:>8} {:>9} {:>9}\n", "bodies", "n", "area", "contacts",
-             "again", "build ms", "per s", "us each", "events", "KiB/body", "energy");
+  fmt::print("{:>7} {:>3} {:>5} {:>8} {:>6} {:>9} {:>9} {:>9} {:>8} {:>9} {:>9} {:>9}\n", "bodies", "n", "area",
+             "contacts", "again", "build ms", "per s", "us each", "events", "KiB/body", "energy", "momentum");
   for (const int count : bodies) taut::bench::run(count, vertices, fraction, contacts);
 }

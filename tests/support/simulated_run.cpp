@@ -170,6 +170,7 @@ class SimulatedRun {
 
   std::string compare_next_contact(double until) {
     const double from = simulation_.time();
+    if (!(until > from)) return "";
     const Answer answer = asked_afresh(simulation_, touch_);
     simulation_.advance_to(until);
     const SimulationState state = simulation_.state();
