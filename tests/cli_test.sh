@@ -598,6 +598,7 @@ grep -q '^<p>{"title":"loader","envelope":{"outcome":"contact".*"bodies":\[{"nam
   { echo "FAILED: the envelope's page" && head -c 300 map_of_loader.html; failures=$((failures + 1)); }
 expect 1 '^<p>{"title"' '' envelope "$examples/linkages/loader.json" --tolerance 0.1 --html - --template map.html
 expect 2 '' 'not a template' envelope "$examples/linkages/loader.json" --tolerance 0.1 --html - --template "$examples/lid.json"
+expect 2 '' 'there are 3, and a picture' envelope --tolerance 0.3 --svg - "$examples/paths/bracket.json"
 expect 3 'time limit' '' envelope --max-seconds 0 "$examples/linkages/lift.json"
 expect 2 '' 'tolerance: it is not between' envelope --tolerance 0 "$examples/linkages/lift.json"
 expect 2 '' 'joints instead of a time' check "$examples/linkages/lift.json"

@@ -92,7 +92,8 @@ std::string witness_mark(const io::PlotPanel& panel, const EnvelopeWitness& witn
 
 std::string envelope_svg(const Linkage& linkage, const Envelope& answer, int width) {
   if (linkage.joints.size() > 2)
-    throw InputError("joints", "there are three, and a picture has two directions",
+    throw InputError("joints",
+                     "there are " + std::to_string(linkage.joints.size()) + ", and a picture has two directions",
                      "fix one of them by a range of length 0 in a copy of the scene without it, or ask for --json");
   const bool strip = linkage.joints.size() == 1;
   const Joint& across = linkage.joints[0];

@@ -1,6 +1,7 @@
 #include "path/convex_pieces.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "geometry/predicates.hpp"
 #include "numeric/dyadic.hpp"

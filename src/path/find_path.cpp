@@ -1,6 +1,8 @@
 // The question: is there any way?
 #include "path/find_path.hpp"
 
+#include <cmath>
+
 #include "numeric/budget.hpp"
 #include "path/path_search.hpp"
 #include "path/translations.hpp"

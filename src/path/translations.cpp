@@ -5,7 +5,6 @@
 #include <map>
 #include <set>
 
-#include "numeric/exact_sum.hpp"
 #include "path/convex_pieces.hpp"
 #include "path/displacement_graph.hpp"
 #include "path/goal.hpp"

@@ -1,4 +1,7 @@
 // Writes logs about paths: the partition of the search, with what shows of each cell that it collides.
+#include <algorithm>
+#include <climits>
+#include <cmath>
 #include <ostream>
 #include <sstream>
 #include <string>

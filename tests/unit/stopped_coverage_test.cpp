@@ -10,6 +10,7 @@
 #include "taut/error.hpp"
 #include "taut/intervals.hpp"
 #include "taut/motions.hpp"
+#include "taut/path.hpp"
 #include "taut/proof.hpp"
 #include "taut/separate.hpp"
 #include "taut/simulation.hpp"
@@ -79,6 +80,12 @@ TEST(StoppedCoverage, OfEveryQuestion) {
   for (Body& body : linkage.scene.bodies) body.motion = {};
   linkage.motions = {std::nullopt, JointMotion{Slide{{1, 0}}, 0}};
   expect_none_reached(envelope(linkage, combinations).coverage, "envelope");
+  PathOptions ways;
+  ways.limits = at_once();
+  PathProblem problem;
+  problem.linkage = linkage;
+  problem.goal[0] = {1, 1};
+  expect_none_reached(find_path(problem, ways).coverage, "path");
 }
 
 TEST(StoppedCoverage, OfASimulation) {

@@ -123,7 +123,7 @@ class EnvelopeViewer {
 
   /** Does the joint turn bodies, and shift none? */
   private inDegrees(k: number): boolean {
-    const motions = this.data.bodies.flatMap(({ motion }) => (motion?.joint === k ? [motion] : []));
+    const motions = this.data.bodies.flatMap(({ motion }) => motion ?? []).filter(({ joint }) => joint === k);
     return motions.length > 0 && motions.every(({ pivot }) => pivot !== undefined);
   }
 
