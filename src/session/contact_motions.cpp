@@ -157,6 +157,14 @@ Scene coming_down(const Scene& scene, BodyId follower) {
   return drop;
 }
 
+void check_follower(const Scene& scene, BodyId follower, double reach) {
+  const auto count = static_cast<BodyId>(scene.bodies.size());
+  if (follower < 0 || follower >= count)
+    throw InputError("follower", "there is no body " + std::to_string(follower),
+                     "bodies are 0 to " + std::to_string(count - 1));
+  if (!(reach > 0)) throw InputError("reach", "it is not positive", "give a height at which the follower is free");
+}
+
 /// The height at an instant of the way down, with room for rounding, here and in the way itself.
 Enclosure height(double reach, double from, double speed, const TimeInterval& time, const Point& place) {
   const double room = 0x1p-50 * (reach + std::fabs(place.x) + std::fabs(place.y));
@@ -167,11 +175,7 @@ Enclosure height(double reach, double from, double speed, const TimeInterval& ti
 
 std::vector<Lift> follow(const Scene& scene, BodyId follower, Point direction, double reach, std::size_t instants,
                          Touch touch) {
-  const auto count = static_cast<BodyId>(scene.bodies.size());
-  if (follower < 0 || follower >= count)
-    throw InputError("follower", "there is no body " + std::to_string(follower),
-                     "bodies are 0 to " + std::to_string(count - 1));
-  if (!(reach > 0)) throw InputError("reach", "it is not positive", "give a height at which the follower is free");
+  check_follower(scene, follower, reach);
   Scene drop = coming_down(scene, follower);
   Body& body = drop.bodies[static_cast<std::size_t>(follower)];
   const BodyPose at = pose_at(body.motion, scene.start);
