@@ -143,7 +143,7 @@ class SimulatedRun {
   /// Mostly the bodies part; now and then they go on as they were, or some other way.
   std::string answer_contact() {
     const double before = simulation_.time();
-    const std::array<BodyId, 2> pair = *simulation_.pair();
+    const Contact contact = *simulation_.contact();
     const bool stays = rng_.chance(0.1);
     // At the start there is no time before, in which they could part.
     if (before == simulation_.record().front().start && !stays) {
@@ -158,8 +158,9 @@ class SimulatedRun {
     if (simulation_.state() != SimulationState::contact) return "";
     ++tally_.again;
     // Another pair may come so close after it that doubles do not tell the times apart.
-    if (!simulation_.contact_again() && *simulation_.pair() == pair)
-      return "a contact at once is not said to be one again";
+    const Contact& now = *simulation_.contact();
+    const bool same = now.vertex == contact.vertex && now.edge == contact.edge;
+    if (!simulation_.contact_again() && same) return "a contact at once is not said to be one again";
     return simulation_.time() < before ? "time goes back" : "";
   }
 
@@ -209,9 +210,11 @@ class SimulatedRun {
 
   std::string wrong_in_record() {
     double until = 0;
-    for (const Scene& scene : simulation_.record()) {
+    for (Scene scene : simulation_.record()) {
       ++tally_.scenes;
       until = scene.end;
+      // Bodies at rest were no pairs of the simulation, also where nothing else moved for a while.
+      scene.at_rest = AtRest::never;
       const Answer answer = fresh_answer(scene, touch_);
       if (answer.outcome == Outcome::contact) {
         // A contact at the start of everything, or at the end.
