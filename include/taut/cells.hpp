@@ -34,8 +34,8 @@ struct CoveredCells {
 /// sixteenths of it where the body is, or if there would be more than 2^26 cells; UndecidedError if it is stopped.
 CoveredCells cells(const Scene& scene, BodyId body, const CellOptions& options);
 
-/// {"body": name, "resolution": r, "origin": [x, y], "cells": [[i, j], ...]} on one line, and before the cells the "lock"
-/// of a mechanism, until which they are.
+/// {"body": name, "resolution": r, "origin": [x, y], "cells": [[i, j], ...]} on one line, and before the cells the
+/// "lock" of a mechanism, until which they are.
 std::string cells_json(const Scene& scene, BodyId body, const CoveredCells& covered);
 /// An image (PGM, P5), a pixel for each cell of the rectangle around them, the highest row first: covered cells are
 /// black (0), others are white (254). Empty if there is no cell.

@@ -28,10 +28,10 @@ struct Guide {
 
 /// At a contact, the other body pushes this one along its guide: it moves evenly for the time `step`, a little faster
 /// than the other one comes (by a sixteenth, along the normal), and then rests. When the other body has caught up,
-/// there is the next contact. So a door that is pushed open touches the opener at every contact, and in between is ahead
-/// of it by no more than what it turns in a step. Assumes friction enough to stop what is not pushed. A body that is
-/// not pushed, since the two part, goes on. Goes on with resume(). Throws InputError as stop() does, and where the guide
-/// does not lead away from the contact.
+/// there is the next contact. So a door that is pushed open touches the opener at every contact, and in between is
+/// ahead of it by no more than what it turns in a step. Assumes friction enough to stop what is not pushed. A body that
+/// is not pushed, since the two part, goes on. Goes on with resume(). Throws InputError as stop() does, and where the
+/// guide does not lead away from the contact.
 void push(Simulation& simulation, BodyId body, const Guide& guide, double step, double gap = 0);
 
 /// Where a follower lies on what is below it at one instant, and what touches what.

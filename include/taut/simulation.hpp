@@ -224,8 +224,8 @@ class Simulation {
   /// first; if one of them is the contact, it stays the answer. The motion is relative to the body's parent, and bodies
   /// that are attached to the body move with it. The tilings of its pairs stay; only their certificates are computed
   /// anew. Pairs that have moved alike until then are tested from now on; if they overlap, state() is
-  /// `overlap_at_start`, at the latest when time goes on. After a contact the state stays `contact`, and the motion counts once resume() is called.
-  /// After an overlap it changes nothing.
+  /// `overlap_at_start`, at the latest when time goes on. After a contact the state stays `contact`, and the motion
+  /// counts once resume() is called. After an overlap it changes nothing.
   void set_motion(BodyId body, const Motion& motion);
 
   /// The next four begin anew at time(), and cost what a new simulation does. An InputError changes nothing; they throw

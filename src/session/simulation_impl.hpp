@@ -106,7 +106,7 @@ struct Simulation::Impl final : KineticObserver {
   std::uint64_t certificates_max_before = 0;
   std::uint64_t traced = 0;
   double begun_anew = std::numeric_limits<double>::quiet_NaN();  ///< when begin_anew() was called last
-  bool changed_since_contact = false;  ///< a motion, by set_motion()
+  bool changed_since_contact = false;                            ///< a motion, by set_motion()
   bool broken = false;
   std::string reason;  ///< why it is undecided, or empty
   double start;
