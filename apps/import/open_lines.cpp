@@ -50,9 +50,14 @@ class FreeEnds {
 
   /// The nearest other end that is not paired, or none: from its place in the order, to both sides.
   Nearest nearest(std::size_t end) const {
+    return nearest(end, [](std::size_t) { return true; });
+  }
+  /// The same among those of lines that count.
+  template <class Counts>
+  Nearest nearest(std::size_t end, const Counts& counts) const {
     Nearest best;
     const auto examine = [&](std::size_t other) {
-      if (paired_[other] != none || !may_meet(end, other)) return;
+      if (paired_[other] != none || !may_meet(end, other) || !counts(other / 2)) return;
       const double d = span_between(at(end), at(other));
       if (d < best.distance)
         best = {other, d, best.distance};
@@ -204,6 +209,48 @@ std::vector<Closure> find_closures(const std::vector<OpenLine>& lines, bool of_s
       if (used[next / 2]) break;
       end = next;
     }
+  }
+  return closures;
+}
+
+namespace {
+
+bool crosses(const OpenLine& line, const Point& a, const Point& b) {
+  const auto between = [](const Point& p, const Point& q, const Point& u, const Point& v) {
+    return orientation(p, q, u) * orientation(p, q, v) < 0;
+  };
+  for (std::size_t i = 0; i + 1 < line.points.size(); ++i) {
+    const Point &p = line.points[i], &q = line.points[i + 1];
+    if (between(a, b, p, q) && between(p, q, a, b)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::vector<Closure> closures_across_lines(const std::vector<OpenLine>& lines) {
+  const FreeEnds ends(lines, false);
+  std::vector<Closure> closures;
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    const OpenLine& line = lines[k];
+    if (!line.free_start || !line.free_end || line.is_straight()) continue;
+    const Point &from = line.points.back(), &to = line.points.front();
+    Closure closure;
+    closure.lines = {k};
+    closure.gaps = {{from, to}};
+    closure.gap_length = span_between(from, to);
+    closure.line_length = line.length();
+    // Only of a line that is much longer than its gap: there may be many others.
+    if (closure.gap_length > closure.line_length / 4) continue;
+    const auto nearest_of = [&](const auto& counts) {
+      return std::min(ends.nearest(2 * k, counts).distance, ends.nearest(2 * k + 1, counts).distance);
+    };
+    const double any = nearest_of([&](std::size_t other) { return other != k; });
+    const double next = nearest_of([&](std::size_t other) { return other != k && !crosses(lines[other], from, to); });
+    if (next == any) continue;
+    closure.clearness = next / closure.gap_length;
+    closure.ring = line.points;
+    closures.push_back(std::move(closure));
   }
   return closures;
 }

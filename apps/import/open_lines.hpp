@@ -45,6 +45,10 @@ void find_nearest_ends(std::vector<OpenLine>& lines);
 /// nearest ends are known.
 std::vector<Closure> find_closures(const std::vector<OpenLine>& lines, bool of_several = false);
 
+/// Bent lines that nearly close by themselves, where other open lines cross the gap: these do not go on from its ends,
+/// however near they are. The next free end, for `clearness`, is not of one of them.
+std::vector<Closure> closures_across_lines(const std::vector<OpenLine>& lines);
+
 /// Lines that meet each other, as if straight lines between two of their ends closed them. Two groups of them that have
 /// a free end each, the nearest ones, are one: other lines cross what they are parts of. Only of these `clearness` is
 /// known. The nearest ends are known.

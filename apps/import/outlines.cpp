@@ -156,6 +156,13 @@ class OutlineMaker {
     enclosed.erase(std::unique(enclosed.begin(), enclosed.end()), enclosed.end());
     find_nearest_ends(out_.open);
     std::vector<Closure> closures = find_closures(out_.open);
+    for (Closure& closure : closures_across_lines(out_.open)) {
+      const std::size_t line = closure.lines.front();
+      std::erase_if(closures, [&](const Closure& other) {
+        return std::find(other.lines.begin(), other.lines.end(), line) != other.lines.end();
+      });
+      closures.push_back(std::move(closure));
+    }
     find_open_outlines(closures);
     for (Closure& closure : closures) {
       const double around = closure.line_length + closure.gap_length;

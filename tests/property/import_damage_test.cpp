@@ -29,6 +29,7 @@ struct Clean {
   std::vector<Contour> contours;
   double area = 0, around = 0;
   std::size_t parts = 0;
+  bool shares_cuts = false;
 };
 
 class Damage {
@@ -174,6 +175,7 @@ class Damage {
           put(clean, square, side * h);
         }
         clean.parts += n;
+        clean.shares_cuts = true;
         break;
       }
       case 3: {  // a slot
@@ -284,6 +286,42 @@ TEST(ImportDamage, NeverDropsAnOutlineSilently) {
     settings.open = drawing::OpenRings::close;
     expect_clean(testing::examine(text, "d.dxf", settings), clean, usual_tolerance + usual_join, seed);
     if (::testing::Test::HasFatalFailure()) return;
+  }
+}
+
+/// A gap with a line across it, as centre lines are: that line is no part of the contour, and the gap remains one.
+TEST(ImportDamage, LosesNoPlateWhoseGapIsCrossed) {
+  for (std::uint64_t seed = 0; seed < testing::effort(2000); ++seed) {
+    Damage damage(seed + 2000000);
+    const Clean clean = damage.draw();
+    // One of several parts that share cuts may stay open, as above.
+    if (clean.shares_cuts) continue;
+    std::vector<Stroke> strokes = damage.pieces(clean);
+    std::vector<std::size_t> straight;
+    for (std::size_t i = 0; i < strokes.size(); ++i)
+      if (!strokes[i].curved() &&
+          std::hypot(strokes[i].to.x - strokes[i].from.x, strokes[i].to.y - strokes[i].from.y) > 8)
+        straight.push_back(i);
+    if (straight.empty()) continue;
+    const std::size_t chosen = straight[damage.below(straight.size())];
+    const Stroke broken = strokes[chosen];
+    const double length = std::hypot(broken.to.x - broken.from.x, broken.to.y - broken.from.y);
+    const double gap = damage.uniform(3 * usual_join, 1.5);
+    const Point along{(broken.to.x - broken.from.x) / length, (broken.to.y - broken.from.y) / length};
+    const Point begin = Damage::between(broken, 0.5 - gap / 2 / length);
+    const Point end = Damage::between(broken, 0.5 + gap / 2 / length);
+    strokes[chosen].to = begin;
+    strokes.push_back({end, broken.to, {}, 0, 0, 0});
+    const Point middle{(begin.x + end.x) / 2, (begin.y + end.y) / 2};
+    const double reach = gap * damage.uniform(0.3, 1);
+    strokes.push_back({{middle.x - reach * along.y, middle.y + reach * along.x},
+                       {middle.x + reach * along.y, middle.y - reach * along.x},
+                       {},
+                       0,
+                       0,
+                       0});
+    const drawing::Import import = testing::examine(damage.dxf(strokes, 1), "d.dxf");
+    ASSERT_FALSE(import.faults.empty()) << seed << "\n" << drawing::report_text(import, {});
   }
 }
 
