@@ -186,7 +186,7 @@ bool Engine::can_replan_at(double t) const {
   if (state_ == EngineState::overlap) return false;
   const double processed = contact_ ? before_contact_ : parameter_;
   if (segment().bridge) return segment().joint == t && processed == 0 && !contact_;
-  return segment().start < t && processed <= t && t <= (contact_ ? contact_->lo : segment().end);
+  return segment().start <= t && processed <= t && t <= (contact_ ? contact_->lo : segment().end);
 }
 
 void Engine::replan(MotionSegments segments) {

@@ -105,7 +105,7 @@ void WorldSimulation::replan_pair(const Key& key, double jump) {
 void WorldSimulation::follow_change(Pairs::iterator pair) {
   Near& near = pair->second;
   near.has_changed = false;
-  if (near.solver && near.solver->replan(now_)) return;
+  if (near.solver && now_ > start_ && near.solver->replan(now_)) return;
   begin_tilings(pair, std::nullopt);
 }
 
