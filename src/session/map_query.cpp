@@ -87,9 +87,9 @@ std::string MapQuery::Impl::why_nothing_meets() const {
     return std::any_of(bodies->z.begin(), bodies->z.end(), [&](const Layers& z) { return z.meet(link.z); });
   };
   if (!search->meeting().empty() || std::any_of(search->links().begin(), search->links().end(), meets_some)) return {};
-  Coverage none;
-  none.pairs = none.layers = map.size() * movers.size();
-  return why_untested(none);
+  Coverage coverage;
+  coverage.pairs = coverage.layers = map.size() * movers.size();
+  return why_untested(coverage);
 }
 
 void MapQuery::Impl::line(std::size_t link, const PoseSE2& from, const PoseSE2& to) {

@@ -176,7 +176,8 @@ NearBodies::Way NearBodies::way_of(int body, double from, double to) const {
   Way way;
   way.error = never;
   if (joins) return way;
-  const auto [at, over, half] = poses_over(chain, discs_[static_cast<std::size_t>(body)].centre, from, to);
+  const auto [at, over, half_time] = poses_over(chain, discs_[static_cast<std::size_t>(body)].centre, from, to);
+  const double half = half_time;
   const auto error = [half](const Jet<double>& middle, const Jet<double>& range) {
     return middle.v.rad + middle.d.rad * half + range.dd.magnitude() * half * half;
   };
