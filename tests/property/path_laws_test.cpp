@@ -116,8 +116,8 @@ TEST(PathLaws, DoesNotMissWhatAFloodReaches) {
       EXPECT_FALSE(Flood(problem, problem.linkage.joints.size() == 3 ? 24 : 60).reaches());
     }
   }
-  EXPECT_GT(seen[static_cast<std::size_t>(PathOutcome::path)], 3);
-  EXPECT_GT(seen[static_cast<std::size_t>(PathOutcome::none)], 0);
+  EXPECT_GE(seen[static_cast<std::size_t>(PathOutcome::path)], static_cast<int>(testing::enough(80)));
+  EXPECT_GE(seen[static_cast<std::size_t>(PathOutcome::none)], static_cast<int>(testing::enough(20)));
 }
 
 /// The same problem said otherwise has the same outcome: the way back, in other units, elsewhere, with other joints,
