@@ -50,7 +50,12 @@ void WorldSimulation::enqueue(Pairs::iterator pair) {
   count_certificates(near);
   if (near.solver && near.solver->engines() && !instance_.is_single_pair()) near.solver->engines()->put_aside();
   if (!near.solver || near.solver->open()) {
-    queue_.insert({pair->second.due, pair->first});
+    if (spare_.empty()) {
+      queue_.insert({pair->second.due, pair->first});
+    } else {
+      spare_.value() = {pair->second.due, pair->first};
+      queue_.insert(std::move(spare_));
+    }
   } else {
     ended_.insert(pair->first);
   }

@@ -120,7 +120,7 @@ double WorldSimulation::process_due(double limit) {
   }
   const double soon = std::min(limit, next_due());
   const auto pair = pairs_.find(queue_.begin()->second);
-  queue_.erase(queue_.begin());
+  spare_ = queue_.extract(queue_.begin());
   if (pair->second.has_changed) {
     follow_change(pair);
   } else if (!pair->second.solver) {

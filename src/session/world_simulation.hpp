@@ -124,11 +124,12 @@ class WorldSimulation {
   EventBudget budget_;
   NearBodies near_;
   Pairs pairs_;
-  std::set<std::pair<double, Key>> queue_;  ///< of all pairs with no result, by what is due
-  std::set<Key> ended_;                     ///< pairs with a result: a contact, an overlap, or what was not decided
-  double now_;                              ///< the present
-  double reached_ = 0;                      ///< the end of the last event
-  double processed_;                        ///< all events up to this time are processed
+  std::set<std::pair<double, Key>> queue_;             ///< of all pairs with no result, by what is due
+  std::set<std::pair<double, Key>>::node_type spare_;  ///< of the queue: no event allocates
+  std::set<Key> ended_;  ///< pairs with a result: a contact, an overlap, or what was not decided
+  double now_;           ///< the present
+  double reached_ = 0;   ///< the end of the last event
+  double processed_;     ///< all events up to this time are processed
   std::uint64_t certificates_ = 0, certificates_max_ = 0;
   bool has_tested_ = false;
   Answer answer_;
