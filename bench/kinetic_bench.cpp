@@ -76,7 +76,7 @@ void warm_up(const Case& c) {
   simulation.advance(c.scene.end);
 }
 
-constexpr std::uint64_t allocations_of_run = 8;
+constexpr std::uint64_t allocations_of_run = 10;
 /// Of two segments.
 constexpr std::uint64_t allocations_of_piece = 32;
 
