@@ -5,6 +5,7 @@
 
 #include "numeric/budget.hpp"
 #include "scene/ignored_pairs.hpp"
+#include "scene/linkage.hpp"
 #include "scene/untested.hpp"
 
 namespace taut::internal {
@@ -37,13 +38,6 @@ bool overlap_at_rest(const Instance& world, const std::array<BodyId, 2>& bodies)
   });
 }
 
-Scene resting(const Linkage& linkage) {
-  Scene scene = linkage.scene;
-  scene.start = scene.end = 0;
-  for (Body& body : scene.bodies) body.motion = {};
-  return scene;
-}
-
 }  // namespace
 
 LinkedPair::LinkedPair(const Instance& world, int a, int b, const std::vector<Chain>& chains)
@@ -54,7 +48,7 @@ LinkedPair::LinkedPair(const Instance& world, int a, int b, const std::vector<Ch
 }
 
 LinkedPairs::LinkedPairs(const Linkage& linkage)
-    : linkage_(linkage), rests_(resting(linkage)), world_(rests_), scale_(std::ldexp(1.0, world_.exponent())) {
+    : linkage_(linkage), rests_(resting_scene(linkage)), world_(rests_), scale_(std::ldexp(1.0, world_.exponent())) {
   find_chains();
   choose_pairs();
 }

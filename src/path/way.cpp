@@ -20,14 +20,18 @@ Scene WayChecker::scene_of(const std::vector<JointValues>& way) const {
   return scene;
 }
 
-std::optional<StillCollision> WayChecker::collision_at(const JointValues& values) const {
-  const Scene scene = scene_of({values});
+CheckOptions WayChecker::check_options() const {
   CheckOptions options;
-  options.touch = options_.touch;
+  options.touch = options_.clearance > 0 ? Touch::open : options_.touch;
   options.tell_touching = false;
   options.limits = options_.limits;
+  return options;
+}
+
+std::optional<StillCollision> WayChecker::collision_at(const JointValues& values) const {
+  const Scene scene = scene_of({values});
+  const CheckOptions options = check_options();
   if (options_.clearance > 0) {
-    options.touch = Touch::open;
     const MarginAnswer answer = check_clearance(scene, options_.clearance, options);
     if (answer.outcome == Outcome::free) return std::nullopt;
     StillCollision found{{}, answer.outcome == Outcome::undecided, answer.reason};
@@ -41,12 +45,8 @@ std::optional<StillCollision> WayChecker::collision_at(const JointValues& values
 
 bool WayChecker::proves(const std::vector<JointValues>& way) const {
   const Scene scene = scene_of(way);
-  CheckOptions options;
-  options.touch = options_.touch;
-  options.tell_touching = false;
-  options.limits = options_.limits;
+  const CheckOptions options = check_options();
   if (options_.clearance > 0) {
-    options.touch = Touch::open;
     return check_clearance(scene, options_.clearance, options).outcome == Outcome::free;
   }
   return check(scene, options).outcome == Outcome::free;

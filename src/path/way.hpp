@@ -31,6 +31,7 @@ class WayChecker {
 
  private:
   Scene scene_of(const std::vector<JointValues>& way) const;
+  CheckOptions check_options() const;
 
   const PathProblem& problem_;
   const JointSpace& space_;

@@ -338,6 +338,7 @@ Clearance clearance_of_curves(const Scene& scene, const ClearanceOptions& option
   ClearanceOptions coarse = options;
   coarse.relative = 0.1;
   const Clearance pairs = clearance(CurvedWorld(scene).polygons(CurveSide::outer), coarse);
+  if (!pairs.reason.empty()) answer.reason = pairs.reason;
   for (const NearestPoints& pair : pairs.pairs) {
     std::vector<BodyId> ids;
     const Scene small = scene_of_pair(scene, pair.pair, ids);

@@ -10,6 +10,13 @@
 
 namespace taut::internal {
 
+Scene resting_scene(const Linkage& linkage) {
+  Scene scene = linkage.scene;
+  scene.start = scene.end = 0;
+  for (Body& body : scene.bodies) body.motion = {};
+  return scene;
+}
+
 JointAngle joint_angle_of(const JointMotion& motion) {
   constexpr double degree = std::numbers::pi / 180;
   return {motion.times * degree, motion.plus * degree};
@@ -91,14 +98,6 @@ void add_to(MotionPiece& piece, const JointMotion& motion, double value) {
   const double way = motion.times * value + motion.plus;
   piece.x = {(piece.x.empty() ? 0 : piece.x[0]) + way * direction.x};
   piece.y = {(piece.y.empty() ? 0 : piece.y[0]) + way * direction.y};
-}
-
-/// As it is, without motions.
-Scene resting_scene(const Linkage& linkage) {
-  Scene scene = linkage.scene;
-  scene.start = scene.end = 0;
-  for (Body& body : scene.bodies) body.motion = {};
-  return scene;
 }
 
 }  // namespace

@@ -18,4 +18,7 @@ struct JointAngle {
 };
 JointAngle joint_angle_of(const JointMotion& motion);
 
+/// The scene without motions and time.
+Scene resting_scene(const Linkage& linkage);
+
 }  // namespace taut::internal
