@@ -1,9 +1,11 @@
 #include "motion/motion_segments.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "motion/far_pieces.hpp"
 #include "motion/pieces.hpp"
+#include "motion/repetition.hpp"
 
 namespace taut::internal {
 namespace {
@@ -108,6 +110,11 @@ MotionSegments MotionSegments::exchanged() const {
 SegmentPlace MotionSegments::place(std::size_t k) const {
   if (route_) return route_->places[dropped_ + k];
   return {only_->time(only_->start), only_->time(only_->end), only_->bridge, 0};
+}
+
+double MotionSegments::repeats_from() const {
+  if (!route_) return INFINITY;
+  return internal::repeats_from(route_->p, route_->q, route_->places.front().start, route_->places.back().end);
 }
 
 std::size_t MotionSegments::first_until(double t) const {

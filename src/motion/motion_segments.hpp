@@ -48,6 +48,8 @@ class MotionSegments {
   SegmentPlace place(std::size_t k) const;
   /// The number of the first segment that ends at t or later; size() if there is none.
   std::size_t first_until(double t) const;
+  /// From when on bodies are only where they have been before: see motion/repetition.hpp.
+  double repeats_from() const;
   /// Removes the first segment; the others are renumbered.
   void drop_first();
   /// The segments of the same motion with the roles of P and Q exchanged. Not for a sequence of one existing segment.

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "taut/motion.hpp"
@@ -39,6 +40,13 @@ class PieceList {
   bool same_at(std::size_t a, std::size_t b) const;
   /// Does the body rest at its own coordinates all the time?
   bool rests() const;
+  /// How fast a piece turns that does nothing else, in radians per unit of time.
+  struct Rates {
+    double begin;  ///< when the piece begins; -infinity for the first one
+    double turn, orbit;
+  };
+  /// Of the piece that holds right before `end`; nothing if it does not just rest, or turn uniformly.
+  std::optional<Rates> last_rates(double end) const;
   /// Does it follow a joint of a mechanism?
   bool follows_joint() const { return !empty() && packed_->places.front().form == Form::joint; }
 

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "motion/pieces.hpp"
+#include "motion/repetition.hpp"
 #include "taut/shape.hpp"
 
 namespace taut::internal::proof {
@@ -208,6 +209,11 @@ std::uint64_t VerifierScene::without_common_layer() const {
 
 BodyPair VerifierScene::pair(int a, int b) const {
   return pair_of((*this)[a].rings, (*this)[a].motions, (*this)[b].rings, (*this)[b].motions);
+}
+
+double VerifierScene::repeats_from(int a, int b) const {
+  const BodyPair bodies = pair(a, b);
+  return internal::repeats_from(bodies.motions[0], bodies.motions[1], start_, end_);
 }
 
 MotionSegments VerifierScene::segments(const BodyPair& pair) const { return segments_of(pair, start_, end_); }

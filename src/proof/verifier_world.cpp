@@ -35,14 +35,15 @@ VerifierPair& VerifierWorld::pair(int a, int b) {
 
 std::vector<SegmentStretch> stretches(const MotionSegments& segments, const WorldTime& time) {
   std::vector<SegmentStretch> found;
+  const double last = std::min(time.to, segments.repeats_from());
   for (std::size_t i = segments.first_until(time.from); i < segments.size(); ++i) {
     const SegmentPlace segment = segments.place(i);
-    if (segment.start > time.to) break;
+    if (segment.start > last) break;
     if (segment.bridge) {
       if (segment.start > time.from) found.push_back({i, 0, 1});
       continue;
     }
-    const double from = std::max(segment.start, time.from), to = std::min(segment.end, time.to);
+    const double from = std::max(segment.start, time.from), to = std::min(segment.end, last);
     if (from < to || (from == to && time.first && i == 0)) found.push_back({i, from, to});
   }
   return found;

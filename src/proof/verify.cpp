@@ -83,7 +83,7 @@ class Verifier {
       case Record::free:
         if (!claims_motion()) throw ProofError("the tiling surrounds the wrong polygons");
         while (current_ + 1 < segments_.size()) end_segment();
-        all_hold(Instant::exactly(segment().end));
+        all_hold(Instant::exactly(seen_by(segment().end)));
         result_.outcome = Outcome::free;
         result_.free_until = scene_.end;
         return false;
@@ -183,6 +183,13 @@ class Verifier {
     result_.outcome = Outcome::contact;
   }
 
+  /// How far corners must last, so that nothing is new until t: after the last event, bodies that repeat their places
+  /// from an instant on need not be followed beyond it.
+  double seen_by(double t) const {
+    const double repeats = segments_.repeats_from();
+    return current_ + 1 == segments_.size() && lifetimes_.tightened(last_).hi < repeats ? std::min(t, repeats) : t;
+  }
+
   void free_until(double t) {
     if (!claims_motion()) throw ProofError("the tiling surrounds the wrong polygons");
     if (!(t >= segment().start && t <= segment().end))
@@ -190,7 +197,7 @@ class Verifier {
     // An enclosure in doubles may be wide.
     const Instant last = lifetimes_.tightened(last_);
     if (t > last.hi) {
-      all_hold(Instant::exactly(t));
+      all_hold(Instant::exactly(seen_by(t)));
       result_.free_until = segment().time(t);
       return;
     }

@@ -25,6 +25,8 @@ constexpr double long_beside = 1.5;
 constexpr int few_bodies = 12;
 /// A box is worth its bytes if it separates a body from this many others.
 constexpr int pairs_for_a_box = 4;
+/// Or, if it turns by more than this, from any.
+constexpr double angle_for_a_box = 64;
 /// The margin of boxes relative to their length, so that verifiers with coarser bounds accept them, too.
 constexpr double share_of_room = 0x1p-12;
 
@@ -84,8 +86,18 @@ WindowWriter::Fresh WindowWriter::fresh_box(int body, const WorldTime& time) con
   return {*reach, within(box, boxes_.of(body))};
 }
 
+/// Directions between ranges of edges would have to be found again and again.
+bool WindowWriter::turns_often(int body, const WorldTime& time) const {
+  const MotionChain& motions = scene_[body].motions;
+  return std::any_of(motions.begin(), motions.end(), [&](const PieceList& motion) {
+    const auto last = motion.last_rates(time.to);
+    return last && std::max(std::fabs(last->turn), std::fabs(last->orbit)) * (time.to - time.from) > angle_for_a_box;
+  });
+}
+
 /// If few pairs are listed: does a body's box separate enough of them? If all pairs are open, every box does.
-std::vector<bool> WindowWriter::worth_stating(const std::vector<int>& moving, const OpenPairs& open) {
+std::vector<bool> WindowWriter::worth_stating(const std::vector<int>& moving, const OpenPairs& open,
+                                              const WorldTime& time) {
   if (open.all()) return std::vector<bool>(moving.size(), true);
   std::map<int, int> pairs_decided;
   const auto box = [&](int i) {
@@ -98,7 +110,10 @@ std::vector<bool> WindowWriter::worth_stating(const std::vector<int>& moving, co
     ++pairs_decided[b];
   }
   std::vector<bool> worth;
-  for (const int i : moving) worth.push_back(pairs_decided[i] >= pairs_for_a_box);
+  for (const int i : moving) {
+    const int decided = pairs_decided[i];
+    worth.push_back(decided >= pairs_for_a_box || (decided > 0 && turns_often(i, time)));
+  }
   return worth;
 }
 
@@ -127,10 +142,11 @@ std::set<int> crowded_bodies(const std::vector<WindowWriter::Pair>& pairs) {
   return crowded;
 }
 
-/// Could shorter windows separate the pair?
-bool WindowWriter::is_left(const Pair& pair) const {
+/// Could shorter windows separate the pair? Not if there is nothing left to separate.
+bool WindowWriter::is_left(const Pair& pair, const WorldTime& time) const {
   const auto a = static_cast<std::size_t>(pair.first), b = static_cast<std::size_t>(pair.second);
-  return fresh_[a].reach.longest() + fresh_[b].reach.longest() > long_beside * (sizes_[a] + sizes_[b]);
+  const double reach = fresh_[a].reach.longest() + fresh_[b].reach.longest();
+  return reach > long_beside * (sizes_[a] + sizes_[b]) && scene_.repeats_from(pair.first, pair.second) > time.from;
 }
 
 void WindowWriter::halves(const WorldTime& time, const OpenPairs& open, int depth) {
@@ -149,7 +165,7 @@ void WindowWriter::window(const WorldTime& time, const OpenPairs& open, int dept
   }
   out_.push_back(1);
   const OpenPairs looked_at = open.all() && few ? OpenPairs{*boxes_.meeting(scene_)} : open;
-  const std::vector<bool> worth = worth_stating(moving, looked_at);
+  const std::vector<bool> worth = worth_stating(moving, looked_at, time);
   std::vector<std::pair<int, AxisBox>> before;
   for (std::size_t k = 0; k < moving.size(); ++k) {
     const auto& box = fresh_[static_cast<std::size_t>(moving[k])].box;
@@ -167,7 +183,7 @@ void WindowWriter::window(const WorldTime& time, const OpenPairs& open, int dept
     checkpoint();
     if (pair == except_ || !boxes_.meet(pair.first, pair.second)) continue;
     // Where no box will be stated, the separations halve time themselves, which is better.
-    const bool later = divisible && crowded.count(pair.first) + crowded.count(pair.second) > 0 && is_left(pair);
+    const bool later = divisible && crowded.count(pair.first) + crowded.count(pair.second) > 0 && is_left(pair, time);
     out_.push_back(later ? 0 : 1);
     if (later) {
       left.listed->push_back(pair);

@@ -33,9 +33,11 @@ class WindowWriter {
   void window(const proof::WorldTime& time, const proof::OpenPairs& open, int depth);
   void halves(const proof::WorldTime& time, const proof::OpenPairs& open, int depth);
   Fresh fresh_box(int body, const proof::WorldTime& time) const;
-  std::vector<bool> worth_stating(const std::vector<int>& moving, const proof::OpenPairs& open);
+  bool turns_often(int body, const proof::WorldTime& time) const;
+  std::vector<bool> worth_stating(const std::vector<int>& moving, const proof::OpenPairs& open,
+                                  const proof::WorldTime& time);
   bool better_halved(const std::vector<int>& moving) const;
-  bool is_left(const Pair& pair) const;
+  bool is_left(const Pair& pair, const proof::WorldTime& time) const;
 
   const proof::VerifierScene& scene_;
   double room_;

@@ -132,9 +132,10 @@ class ClearanceSearch {
       spacetime::Nearest nearest;
       nearest.distance = is_listed(pair) ? INFINITY : best_;
       const double before = nearest.distance;
-      spacetime::find_nearest(search.geometry, search.trees(), search.segments(), tolerance_, nearest);
+      const double end = std::min(instance_.end(), search.segments().repeats_from());
+      spacetime::find_nearest(search.geometry, search.trees(), search.segments(), end, tolerance_, nearest);
       const std::string why = spacetime::resolve_nearest(search.geometry, search.trees(), search.segments(),
-                                                         {instance_.start(), instance_.end()}, tolerance_, nearest);
+                                                         {instance_.start(), end}, tolerance_, nearest);
       certain_ = std::min(certain_, nearest.unresolved);
       if (!why.empty()) why_ = why;
       if (!is_listed(pair) && !(nearest.distance < before)) return;

@@ -92,7 +92,8 @@ class MarginSearch {
       return;
     }
     take(search,
-         spacetime::first_closer(search.geometry, search.trees(), search.segments(), margin_, {-INFINITY, stop_}),
+         spacetime::first_closer(search.geometry, search.trees(), search.segments(), margin_,
+                                 {-INFINITY, std::min(stop_, search.segments().repeats_from())}),
          pair);
   }
 

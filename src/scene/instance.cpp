@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "motion/pieces.hpp"
+#include "motion/repetition.hpp"
 #include "scene/cross_sections.hpp"
 #include "taut/shape.hpp"
 
@@ -300,6 +301,19 @@ Coverage Instance::coverage_of_all_groups() const {
   Coverage all = excluded(true);
   all.tested = all.pairs - all.untested();
   return all;
+}
+
+double Instance::repeats_from(int a, int b) const {
+  const auto turns = [this](int body) {
+    const MotionChain& motions = section(body).motions;
+    return std::any_of(motions.begin(), motions.end(), [this](const PieceList& motion) {
+      const auto last = motion.last_rates(end_);
+      return last && (last->turn != 0 || last->orbit != 0);
+    });
+  };
+  if (!turns(a) && !turns(b)) return INFINITY;
+  const BodyPair bodies = pair(a, b);
+  return internal::repeats_from(bodies.motions[0], bodies.motions[1], start_, end_);
 }
 
 BodyPair Instance::pair(int a, int b) const {

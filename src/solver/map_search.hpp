@@ -1,11 +1,13 @@
 // The first contact of one moving body with any of many bodies at rest.
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <vector>
 
 #include "geometry/box_tree.hpp"
+#include "motion/repetition.hpp"
 #include "scene/free_cells.hpp"
 #include "solver/pair_solver.hpp"
 
@@ -33,7 +35,7 @@ class MapSearch {
 
   /// Determines overlaps, and contacts, at the start. Returns false if nothing is left to search.
   bool start();
-  void run() { cover(start_, end_, 0); }
+  void run() { cover(start_, std::min(end_, repeats_from({}, mover_.motions, start_, end_)), 0); }
 
   /// The results for the bodies that the mover came near to, in the map's order.
   std::vector<PairResult> results() const { return results_of(pairs_); }

@@ -66,10 +66,18 @@ class IntervalSearch {
   }
 
  private:
-  std::vector<spacetime::TimeWindow> windows() const {
+  std::vector<SegmentCrossing> crossings_until(double end) const {
     std::vector<spacetime::TimeWindow> windows;
-    for (const TimeInterval& s : near_) windows.push_back({s.lo, s.hi, s.lo == instance_.start()});
-    return windows;
+    for (const TimeInterval& s : near_) {
+      if (s.lo <= end) windows.push_back({s.lo, std::min(s.hi, end), s.lo == instance_.start()});
+    }
+    return all_crossings(pair_.geometry, pair_.trees(), pair_.segments(), windows);
+  }
+  /// Bodies that repeat their places without a crossing never have one.
+  std::vector<SegmentCrossing> crossings() const {
+    const double repeats = pair_.segments().repeats_from();
+    if (repeats < instance_.end() / 2 + instance_.start() / 2 && crossings_until(repeats).empty()) return {};
+    return crossings_until(instance_.end());
   }
   double time(const SegmentCrossing& c, double parameter) const {
     return std::clamp(pair_.segments()[c.segment].time(parameter), instance_.start(), instance_.end());
@@ -82,7 +90,7 @@ class IntervalSearch {
     });
   }
   void find_clusters() {
-    std::vector<SegmentCrossing> all = all_crossings(pair_.geometry, pair_.trees(), pair_.segments(), windows());
+    std::vector<SegmentCrossing> all = crossings();
     if (precisely_) {
       tighten_all(all);
     } else {

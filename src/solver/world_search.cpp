@@ -60,7 +60,7 @@ bool WorldSearch::start() {
 /// Nothing happens after the start to bodies that move alike.
 void WorldSearch::search_single_pair() {
   if (instance_.bodies()[0].group == instance_.bodies()[1].group) return;
-  pair(0, 1).ask(instance_.start(), instance_.end());
+  pair(0, 1).ask(instance_.start(), std::min(instance_.end(), instance_.repeats_from(0, 1)));
 }
 
 void WorldSearch::run() {
@@ -90,7 +90,10 @@ void WorldSearch::cover(double from, double to, const std::vector<int>& bodies, 
   MeetingBoxes(instance_, bodies, from, to).each_moving([&](int a, int b, bool longer) {
     const std::uint64_t key = DecidedPairs::key(a, b);
     if (above && above->has(key)) return;
-    if (divisible && longer) {
+    const bool halved = divisible && longer;
+    // Earlier windows have shown all there is to see.
+    if ((halved || from > instance_.start()) && instance_.repeats_from(a, b) <= from) return;
+    if (halved) {
       again.insert({a, b});
     } else {
       now.emplace_back(a, b);
@@ -113,7 +116,7 @@ void WorldSearch::cover(double from, double to, const std::vector<int>& bodies, 
 
 /// Searches the pair's first contact within the window, if it matters.
 void WorldSearch::resolve(PairSolver& pair, double from, double to) {
-  const double end = all_ ? to : std::min(to, stop_);
+  const double end = std::min({to, all_ ? to : stop_, instance_.repeats_from(pair.result().a, pair.result().b)});
   if (end < from) return;
   pair.ask(from, end);
   if (pair.result().contact) stop_ = std::min(stop_, pair.result().contact->time.hi);

@@ -119,12 +119,12 @@ void search_segment(const PairGeometry& geometry, const TreePair& trees, const M
 
 }  // namespace
 
-void find_nearest(const PairGeometry& geometry, const TreePair& trees, const MotionSegments& segments,
+void find_nearest(const PairGeometry& geometry, const TreePair& trees, const MotionSegments& segments, double until,
                   const ClearanceTolerance& tolerance, Nearest& best) {
-  for (std::size_t i = 0; i < segments.size(); ++i) {
+  for (std::size_t i = 0; i < segments.size() && segments.place(i).start <= until; ++i) {
     const SegmentPlace at = segments.place(i);
-    search_segment(geometry, trees, segments, i, at.bridge ? TimeInterval{0, 1} : TimeInterval{at.start, at.end},
-                   tolerance, best);
+    const TimeInterval whole = at.bridge ? TimeInterval{0, 1} : TimeInterval{at.start, std::min(at.end, until)};
+    search_segment(geometry, trees, segments, i, whole, tolerance, best);
   }
 }
 

@@ -157,11 +157,13 @@ struct ContactSearch::State {
   std::size_t segment = 0;
   std::optional<ContactOnSegment> search;  ///< on it, once it has begun
   SpacetimeResult counts;                  ///< of those before
+  /// After this instant bodies are only where they have been before.
+  double repeats = segments.repeats_from();
 
   std::optional<TimeInterval> part() const {
     const SegmentPlace at = segments.place(segment);
-    if (window) return clipped(at, *window);
-    return at.bridge ? TimeInterval{0, 1} : TimeInterval{at.start, at.end};
+    if (window) return clipped(at, {window->from, std::min(window->to, repeats), window->first});
+    return at.bridge ? TimeInterval{0, 1} : TimeInterval{at.start, std::min(at.end, repeats)};
   }
   /// Returns false if the segment needs no search: nothing meets.
   bool begin_segment(const TimeInterval& interval) {

@@ -2,6 +2,9 @@
 
 See docs/separation-logs.md."""
 
+import math
+from fractions import Fraction
+
 from balls import (J0, J1, add, between, cadd, cmul, conj, csub, exact, jadd, jconst, jmul, jpolynomial, jsub, jturn,
                    mul, sub)
 
@@ -118,11 +121,38 @@ def piece_at(motion, t):
     return next(piece for piece in motion if t < piece.until)
 
 
-def legs_of(scene, p, q):
+def chains_of(scene, p, q):
+    """Without the first motions, as far as both have the same."""
     chains, common = [scene.chains[p], scene.chains[q]], 0
     while common < min(map(len, chains)) and scene.keys[p][common] == scene.keys[q][common]:
         common += 1
-    chains = [chain[common:] for chain in chains]
+    return [chain[common:] for chain in chains]
+
+
+def repeats_from(scene, p, q):
+    """From when on nothing has to be shown of the pair: see "Repetition" in docs/proof-format.md."""
+    begin, rates = scene.start, []
+    for motion in (motion for chain in chains_of(scene, p, q) for motion in chain):
+        last = next(k for k, piece in enumerate(motion) if piece.until >= scene.end)
+        piece = motion[last]
+        if last:
+            begin = max(begin, motion[last - 1].until)
+        turning = piece.rotation[0] if piece.kind == 1 else ()
+        resting = [piece.x, piece.y, *(piece.rotation if piece.kind != 1 else ())]
+        if max(map(len, (turning, piece.orbit))) > 2 or max(map(len, resting)) > 1:
+            return math.inf
+        rates += [Fraction(c[1]) for c in (turning, piece.orbit) if len(c) == 2]
+    if not rates:
+        return math.inf
+    below = math.lcm(*(rate.denominator for rate in rates))
+    divisor = float(Fraction(math.gcd(*(int(rate * below) for rate in rates)), below))
+    period = float.fromhex("0x1.921fb54442d19p+2") / divisor * (1 + 2.0**-50)
+    instant = (begin + period) + 2.0**-51 * (abs(begin) + period)
+    return instant if instant < scene.end else math.inf
+
+
+def legs_of(scene, p, q):
+    chains = chains_of(scene, p, q)
     legs, t = [], scene.start
     while True:
         now = [[piece_at(m, t) for m in chain] for chain in chains]

@@ -4,7 +4,7 @@ import math
 
 from balls import BITS, ONE, Sampled, Undecided, add, exact, jadd, jconst, jmul, jsub, keeps_sign, mul, root, sign, sub
 from bodies import less, orientation
-from legs import legs_of
+from legs import legs_of, repeats_from
 
 
 def product(a, b):
@@ -82,7 +82,7 @@ class Pair:
         self.np, self.size = (len(self.bodies[0].points), sum(len(body.points) for body in self.bodies))
         self.points = self.bodies[0].displaced(inwards) + self.bodies[1].displaced(inwards)
         self.ranges = [ranges_of(body) for body in self.bodies]
-        self.legs = legs_of(scene, a, b)
+        self.legs, self.repeats = legs_of(scene, a, b), repeats_from(scene, a, b)
         self.start = scene.start
         self.shown = {}
         self._overlap = None

@@ -50,7 +50,10 @@ class BodyPath:
                 jets.append([add(x, add(mul(z, u), mul(y, v))) for x, y, z in zip(place, c, s)])
         f = Sampled(*jets, a, b)
         stray = f.value[1] + f.stray()
-        return f.value[0] - stray, f.value[0] + stray
+        # However it turns, it is no farther from the place of c.
+        far = math.isqrt(p[0] * p[0] + p[1] * p[1]) + 1
+        (middle, radius) = frames[1][k][0]
+        return (max(f.value[0] - stray, middle - radius - far), min(f.value[0] + stray, middle + radius + far))
 
     def stays_within(self, box, room, a, b, halvings=HALVINGS):
         """`box` is of integers, or None for a side without bound."""
@@ -107,7 +110,7 @@ class Windows:
             require(now <= 1, "neither separations nor shorter windows")
             if now:
                 pair = self.pair(p, q)
-                self.section(pair, stretches(pair.legs, a, b, first), first)
+                self.section(pair, stretches(pair.legs, a, min(b, pair.repeats), first), first)
             else:
                 left.append((p, q))
         if left:

@@ -106,9 +106,35 @@ Scene swinging(Rng& rng) {
   return scene;
 }
 
+/// Blades about pivots, or on another one's frame, at multiples of one rate: after a while they only repeat themselves.
+Scene repeating(Rng& rng) {
+  Scene scene;
+  scene.start = rng.chance(0.5) ? 0 : rng.real(-3, 3);
+  const double rate = (16 + rng.below(80)) / 32.0;
+  scene.end = scene.start + rng.real(0.5, rng.chance(0.5) ? 4 : 2000) * 6.283185307179586 / rate;
+  const int n = 2 + rng.below(3);
+  for (int i = 0; i < n; ++i) {
+    MotionPiece piece, before;
+    piece.rotation = AngleRotation{{rng.real(0, 6), (rng.below(7) - 3) * rate}};
+    piece.pivot = {0.125 * rng.below(5), 0};
+    piece.x = {1.5 * i + rng.real(0, 1)};
+    if (rng.chance(0.2)) piece.orbit = {{1, 1}, {0, rate}};
+    std::vector<MotionPiece> pieces{piece};
+    if (rng.chance(0.2)) {
+      before = piece;
+      before.until = scene.start + 0.25;
+      pieces.insert(pieces.begin(), before);
+    }
+    scene.bodies.push_back({"b" + std::to_string(i), blade(rng), {pieces}});
+    if (i > 0 && rng.chance(0.2)) scene.bodies.back().relative_to = "b0";
+  }
+  return scene;
+}
+
 Scene drawn_world(Rng& rng, std::uint64_t number) {
   if (number % 8 == 7) return crowd(rng);
   if (number % 8 == 5) return swinging(rng);
+  if (number % 8 == 1) return repeating(rng);
   // Some with pairs at rest, too: those are tested at the start, and have entries in a log. Some on layers.
   const auto perhaps_at_rest = [&](Scene scene) {
     if (rng.chance(0.4)) scene.at_rest = AtRest::test;

@@ -59,7 +59,7 @@ TEST(UnfinishedProofs, OfAClearance) {
 
 /// The stretch in which the proof was stopped comes after others, and after bridges between them.
 TEST(UnfinishedProofs, AfterSeveralPieces) {
-  Scene scene = many_turns(0);
+  Scene scene = many_turns(0.0625);
   MotionPiece slow, fast = scene.bodies[0].motion.pieces[0];
   slow.until = 1;
   scene.bodies[0].motion.pieces = {slow, slow, fast};
