@@ -84,7 +84,7 @@ rm -f huge.json million.json
 expect 0 'Subcommands' '' --help
 expect 0 'Exit codes' '' --help
 expect 0 '^taut [0-9]' '' --version
-for command in demo import check clearance intervals range separate mechanism envelope path cells trace prove verify draw view separator flatten gen schema completion man; do expect 0 'Example' '' "$command" --help; done
+for command in demo import check clearance intervals range separate mechanism envelope path cells swept trace prove verify draw view separator flatten gen schema completion man; do expect 0 'Example' '' "$command" --help; done
 [ "$("$taut" --help | wc -l)" -le 30 ] || { echo "FAILED: --help does not fit a screen"; failures=$((failures + 1)); }
 expect 2 '' 'what is wanted is missing'
 expect 2 '' 'unknown command "chek"' chek x

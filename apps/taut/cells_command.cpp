@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "chosen_body.hpp"
 #include "commands.hpp"
 #include "interrupt.hpp"
 #include "report.hpp"
@@ -24,27 +25,6 @@ struct CellsArguments {
   std::string pgm;
   bool json = false;
 };
-
-bool moves(const Body& body) { return !body.motion.pieces.empty() || !body.relative_to.empty(); }
-
-/// The one that was named, or the only one that moves.
-BodyId chosen_body(const Scene& scene, const std::string& name) {
-  BodyId found = -1;
-  std::string names;
-  for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
-    const Body& body = scene.bodies[k];
-    names += (names.empty() ? "" : ", ") + body.name;
-    if (name.empty() ? !moves(body) : body.name != name) continue;
-    if (found >= 0)
-      throw InputError("--body", fmt::format("several bodies move: {} and {}", scene.bodies[found].name, body.name),
-                       "say which one is meant: --body NAME");
-    found = static_cast<BodyId>(k);
-  }
-  if (found >= 0) return found;
-  if (name.empty() && scene.bodies.size() == 1) return 0;
-  throw InputError("--body", name.empty() ? "no body moves" : fmt::format("there is no body \"{}\"", name),
-                   "the scene has " + names);
-}
 
 std::string in_words(const Scene& scene, BodyId body, const CoveredCells& covered) {
   int i0 = covered.cells[0][0], i1 = i0;

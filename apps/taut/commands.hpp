@@ -25,13 +25,13 @@ void add_demo(const Command& app, Action& action, const std::string& program);
 /// Adds the subcommand of that name.
 using AddCommand = void(const Command& app, Action& action);
 AddCommand add_check, add_clearance, add_intervals, add_range, add_prove, add_verify, add_draw, add_view, add_trace,
-    add_separate, add_mechanism, add_envelope, add_path, add_separator, add_cells, add_flatten, add_gen, add_import,
-    add_schema, add_completion, add_man;
+    add_separate, add_mechanism, add_envelope, add_path, add_separator, add_cells, add_swept, add_flatten, add_gen,
+    add_import, add_schema, add_completion, add_man;
 
 /// In the order in which `taut --help` lists them, after demo.
 inline constexpr AddCommand* commands[] = {
-    add_check, add_clearance, add_intervals, add_range,     add_prove,    add_verify,     add_draw,
-    add_view,  add_trace,     add_separate,  add_mechanism, add_envelope, add_path,       add_separator,
-    add_cells, add_flatten,   add_gen,       add_import,    add_schema,   add_completion, add_man};
+    add_check,   add_clearance, add_intervals, add_range,    add_prove,      add_verify,    add_draw,  add_view,
+    add_trace,   add_separate,  add_mechanism, add_envelope, add_path,       add_separator, add_cells, add_swept,
+    add_flatten, add_gen,       add_import,    add_schema,   add_completion, add_man};
 
 }  // namespace taut::cli

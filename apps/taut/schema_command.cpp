@@ -11,6 +11,7 @@ namespace taut::cli {
 
 void add_schema(const Command& app, Action& action) {
   const Command command = app.add_command("schema", "Print the JSON Schema of the scene format");
+  command.hide();  // not in `taut --help`, which is to fit a screen; its last line names it
   const auto output = std::make_shared<std::string>();
   command.add_option("-o,--output", *output, "write to FILE instead of standard output").value("FILE");
   command.footer(

@@ -135,6 +135,12 @@ struct DrawnRose {
   std::vector<std::array<double, 2>> arcs;
 };
 
+/// A region of the world, drawn below the bodies in the colour of one.
+struct DrawnRegion {
+  BodyId body = 0;
+  std::vector<Part> parts;
+};
+
 /// What a picture of a scene shows, and how.
 struct DrawOptions {
   int width = 800;  ///< pixels
@@ -146,6 +152,7 @@ struct DrawOptions {
   std::vector<std::array<BodyId, 2>> overlaps = {};
   std::vector<DrawnDistance> distances = {};
   std::vector<DrawnRose> roses = {};
+  std::vector<DrawnRegion> regions = {};
   /// Tilings to draw, as tilings_of_near_pairs() gives them: of rings that are no farther from each other than the
   /// smaller one is large, and of rings in holes.
   std::vector<NearTiling> tilings = {};

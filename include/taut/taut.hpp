@@ -29,6 +29,7 @@
 //   taut/path.hpp        is there any way from a start to a goal?
 //   taut/path_proof.hpp  proofs that there is none
 //   taut/cells.hpp       which cells of a grid does a moving body touch?
+//   taut/swept.hpp       which region does a moving body pass over?
 //   taut/proof.hpp       the answers with a proof, and the check of a proof
 //   taut/coverage.hpp    which pairs of bodies an answer is about
 //   taut/limits.hpp      when a question gives up
@@ -86,5 +87,6 @@
 #include "taut/shape.hpp"
 #include "taut/simulation.hpp"
 #include "taut/static_map.hpp"
+#include "taut/swept.hpp"
 #include "taut/tracer.hpp"
 #include "taut/validate.hpp"

@@ -40,6 +40,7 @@ export function functionsOf(questions) {
 
 function typeOf(option) {
   if (option.type === "word") return option.words.map((word) => JSON.stringify(word)).join(" | ");
+  if (option.type === "text") return "string";
   return option.type === "flag" ? "boolean" : "number";
 }
 

@@ -22,7 +22,8 @@ keep a distance, intervals() when they overlap, all of the time, range() how far
 which directions they come apart. envelope() says for which combinations of joint values bodies of a Linkage keep apart,
 along all motions at once; path() finds a way from a start to a goal, or proves that there is none. check_many() takes arrays of motions, or many scenes, and answers on all processors; sweep()
 does, too, into files. Shape prepares a shape for many scenes, StaticMap a map for bodies that move in it, and Simulation
-goes from event to event, with plans that may change. cells() lists the cells of a grid that a body touches. flatten()
+goes from event to event, with plans that may change. cells() lists the cells of a grid that a body touches, and
+swept() is the region that it passes over. flatten()
 makes polygons of curves, and read_drawing() a scene of SVG, DXF and other drawings. Scene.plot() and Scene.animate() draw
 by matplotlib, and so do the methods plot() of answers.
 
@@ -52,6 +53,7 @@ from .pictures import Pose
 from .questions import *
 # Not in __all__: `from taut2d import *` must leave Python's own range() alone.
 from .questions import range as range
+from .regions import SweptRegion, swept
 from .scene import Body, Scene
 from .shape import Shape
 from .simulations import ContactMotion, SimulatedContact, Simulation, Tiling, TilingEdge, TilingFace
@@ -65,10 +67,10 @@ __all__ = [
     "Direction", "Drawing", "DrawingBody", "DrawingFile", "EdgeRef", "Free", "Gap", "GeojsonFile", "Geometry",
     "HalfAngleTangent", "InputError", "InternalError", "Keyframe", "KeyframeRows", "Keyframes", "Mover", "OpenLine",
     "Orbit", "Outcome", "PairAnswer", "Part", "Path", "Pieces", "Polynomial", "Pose", "Proof", "ProvedCloseness",
-    "Repair", "Revolute", "Scene", "Shape", "SimulatedContact", "Simulation", "Skipped", "Slide", "StaticMap", "Sweep", "SweepAnswers",
+    "Repair", "Revolute", "Scene", "Shape", "SimulatedContact", "Simulation", "Skipped", "Slide", "StaticMap", "Sweep", "SweepAnswers", "SweptRegion",
     "TautError", "Tiling", "TilingEdge", "TilingFace", "Turn", "UndecidedError", "Velocity", "VelocityRows",
     "Verified", "VertexRef", "Viewer", "WktFile", "answer_dtype", "cells", "check", "check_many", "flatten",
-    "prove", "read_drawing", "sweep", "verify",
+    "prove", "read_drawing", "sweep", "swept", "verify",
 ]
 __all__ += directions.__all__
 __all__ += mechanisms.__all__

@@ -65,6 +65,7 @@ _questions: dict[str, dict[str, dict[str, Any]]] = {
 }
 _by_type: dict[str, Callable[[Any, str], Any]] = {
     "number": number, "whole number": lambda value, _: int(value), "flag": lambda value, _: bool(value), "word": _word,
+    "text": _word,
 }
 # Options that Python takes in more forms, or fewer.
 _by_name: dict[str, Callable[[Any], Any]] = {"max_seconds": seconds, "max_events": _events, "fit": _fit}

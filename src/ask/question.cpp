@@ -31,6 +31,10 @@ OptionEntry required_number(const char* name, const char* meaning) {
   return {.name = name, .type = OptionType::number, .meaning = meaning, .required = true};
 }
 
+OptionEntry required_text(const char* name, const char* meaning) {
+  return {.name = name, .type = OptionType::text, .meaning = meaning, .required = true};
+}
+
 OptionEntry whole_option(const char* name, std::uint64_t least, std::uint64_t most, std::uint64_t otherwise,
                          const char* meaning) {
   return {.name = name,
@@ -129,6 +133,13 @@ std::size_t GivenOptions::word_index(const char* name) const {
   const auto found = std::find(words.begin(), words.end(), given);
   if (found == words.end()) throw InputError(name, "unknown value " + io::string_text(given), "one of " + all);
   return static_cast<std::size_t>(found - words.begin());
+}
+
+std::string GivenOptions::text(const char* name) const {
+  option(name, OptionType::text);
+  const auto token = object_.get(name);
+  document_.require(token, io::JsonKind::string, name, "a text");
+  return document_.string_at(token);
 }
 
 std::string GivenOptions::word(const char* name) const {

@@ -19,7 +19,8 @@ namespace taut::internal {
 
 class GivenOptions;
 
-enum class OptionType : std::uint8_t { number, whole_number, flag, word };
+/// A word is one of a few, a text any.
+enum class OptionType : std::uint8_t { number, whole_number, flag, word, text };
 
 /// An option by the name that it has on the command line, with underscores.
 struct OptionEntry {
@@ -39,6 +40,7 @@ struct OptionEntry {
 
 OptionEntry number_option(const char* name, double otherwise, const char* meaning);
 OptionEntry required_number(const char* name, const char* meaning);
+OptionEntry required_text(const char* name, const char* meaning);
 OptionEntry whole_option(const char* name, std::uint64_t least, std::uint64_t most, std::uint64_t otherwise,
                          const char* meaning);
 OptionEntry flag_option(const char* name, const char* meaning);
@@ -80,6 +82,8 @@ class GivenOptions {
   std::uint64_t whole_number(const char* name) const;
   bool flag(const char* name) const;
   std::string word(const char* name) const;
+  /// Of a text that is required.
+  std::string text(const char* name) const;
   /// The value that the word stands for, by its place in the option's words.
   template <class Value>
   Value word_as(const char* name, const std::vector<Value>& values) const {
@@ -114,5 +118,6 @@ std::vector<QuestionEntry> mechanism_questions();
 std::vector<QuestionEntry> proof_questions();
 std::vector<QuestionEntry> envelope_questions();
 std::vector<QuestionEntry> path_questions();
+std::vector<QuestionEntry> swept_questions();
 
 }  // namespace taut::internal

@@ -1,4 +1,4 @@
-// Answers as pictures of the bodies: where they are closest, and where they can go.
+// Answers as pictures of the bodies: where they are closest, where they can go, and what they pass over.
 #include <fmt/format.h>
 
 #include "draw/world_marks.hpp"
@@ -7,6 +7,7 @@
 #include "taut/clearance.hpp"
 #include "taut/io.hpp"
 #include "taut/separate.hpp"
+#include "taut/swept.hpp"
 
 namespace taut {
 using namespace internal;
@@ -80,6 +81,16 @@ std::string separation_svg(const Scene& scene, const Separation& answer, int wid
   options.title = io::world_title(scene) + ": free directions" + untested_note(answer.coverage);
   if (answer.overlap) options.overlaps.push_back(*answer.overlap);
   for (const BodyDirections& body : answer.bodies) options.roses.push_back(rose_of(body));
+  return draw_svg(scene, scene.start, options);
+}
+
+std::string swept_svg(const Scene& scene, BodyId body, const SweptRegion& region, int width) {
+  DrawOptions options;
+  options.width = width;
+  options.title = fmt::format("{} passes over {:.7g}, on [{}, {}]", scene.bodies[static_cast<std::size_t>(body)].name,
+                              region.area, io::instant_text(scene.start, scene.start, scene.end, 7),
+                              io::instant_text(scene.end, scene.start, scene.end, 7));
+  options.regions.push_back({body, region.parts});
   return draw_svg(scene, scene.start, options);
 }
 

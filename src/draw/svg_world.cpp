@@ -29,6 +29,7 @@ class WorldPicture {
                                                                    io::instant_text(t_, scene_.start, scene_.end, 10))
                                                      : options_.title;
     std::string out = io::world_head(canvas_, title);
+    for (const DrawnRegion& region : options_.regions) out += draw_region(region);
     // Below the bodies: lines lie between those of their pair.
     const std::vector<NearEdge> lines = io::tiling_lines(shapes_, poses_, options_.tilings);
     for (const bool pq : {false, true}) {
@@ -52,7 +53,28 @@ class WorldPicture {
       }
     }
     for (const Contact& contact : options_.contacts) points.push_back(contact.point);
+    for (const DrawnRegion& region : options_.regions) {
+      for (const Part& part : region.parts) points.insert(points.end(), part.outline.begin(), part.outline.end());
+    }
     return points;
+  }
+
+  std::string draw_region(const DrawnRegion& region) const {
+    std::string path;
+    const auto add = [&](const Polygon& ring) {
+      std::vector<Point> pixels;
+      for (const Point& p : ring) pixels.push_back(canvas_.pixel(p));
+      path += io::outline_path(pixels);
+    };
+    for (const Part& part : region.parts) {
+      add(part.outline);
+      for (const Polygon& hole : part.holes) add(hole);
+    }
+    const io::BodyStyle style = io::body_style(static_cast<std::size_t>(region.body));
+    return fmt::format(
+        "<path d=\"{}\" fill=\"{}\" fill-opacity=\"0.25\" fill-rule=\"evenodd\" stroke=\"{}\" "
+        "stroke-width=\"1\"/>\n",
+        path, style.fill, style.line);
   }
 
   std::string draw_sheet(const io::PaintedSheet& sheet) const {

@@ -1,10 +1,12 @@
 // The pieces of a motion in little memory, shared by all who follow it.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "taut/motion.hpp"
@@ -86,5 +88,26 @@ std::size_t count_common(const MotionChain& a, const MotionChain& b);
 MotionChain without_first(const MotionChain& chain, std::size_t count);
 /// The piece of each motion that holds at that time; one that rests where there are none.
 std::vector<MotionPiece> pieces_at(const MotionChain& motions, double t);
+
+/// Follows a chain of motions in order of time: between(pieces, from, to) for each stretch of [start, end] in which
+/// every motion follows one piece, and at_joint(before, after, t) where one of them passes to another. The chain is not
+/// empty.
+template <class Between, class AtJoint>
+void follow(const MotionChain& motions, double start, double end, const Between& between, const AtJoint& at_joint) {
+  std::vector<MotionPiece> before;
+  for (double t = start;;) {
+    std::vector<MotionPiece> now;
+    double until = end;
+    for (const PieceList& motion : motions) {
+      now.push_back(motion.at(t));
+      until = std::min(until, now.back().until);
+    }
+    if (!before.empty()) at_joint(before, now, t);
+    between(now, t, until);
+    if (until >= end) return;
+    before = std::move(now);
+    t = until;
+  }
+}
 
 }  // namespace taut::internal

@@ -5,11 +5,10 @@
 #include <map>
 #include <utility>
 
-#include "motion/make_segments.hpp"
-#include "motion/pieces.hpp"
 #include "motion/pose.hpp"
 #include "numeric/budget.hpp"
 #include "query/cell_raster.hpp"
+#include "scene/instance.hpp"
 #include "scene/ring_set.hpp"
 #include "scene/validate_scene.hpp"
 #include "taut/error.hpp"
@@ -23,10 +22,6 @@ constexpr double cell_excess = 1.0 / 16;
 /// Halving time so often ends where a body turns with infinite speed, too: half as many bits of the way are left.
 constexpr int deepest_halving_of_time = 200;
 
-const Body& body_named(const Scene& scene, const std::string& name) {
-  return *std::find_if(scene.bodies.begin(), scene.bodies.end(), [&](const Body& b) { return b.name == name; });
-}
-
 /// A body's way over the grid: from joint to joint of any motion of its chain, in windows in which no point of it gets
 /// farther from where it is in the middle than the excess. Lengths are in cells, but for the motion's own.
 class CellSweep {
@@ -36,27 +31,14 @@ class CellSweep {
     for (const Part& part : parts_) {
       for (const Point& p : part.outline) reach_ = std::max(reach_, length(p.x, p.y));
     }
-    for (const Body* link = &body;; link = &body_named(scene, link->relative_to)) {
-      motions_.insert(motions_.begin(), PieceList::between(link->motion, scene.start, scene.end));
-      if (link->relative_to.empty()) break;
-    }
+    motions_ = chain_of(scene, body);
   }
 
   CoveredCells run() {
-    PieceChain before;
-    for (double t = scene_.start;;) {
-      PieceChain chain;
-      double until = scene_.end;
-      for (const PieceList& motion : motions_) {
-        chain.push_back(motion.at(t));
-        until = std::min(until, chain.back().until);
-      }
-      if (!before.empty()) join(before, chain, t);
-      window(chain, t, until, 0);
-      if (until >= scene_.end) break;
-      before = std::move(chain);
-      t = until;
-    }
+    follow(
+        motions_, scene_.start, scene_.end,
+        [&](const PieceChain& chain, double from, double to) { window(chain, from, to, 0); },
+        [&](const PieceChain& before, const PieceChain& after, double t) { join(before, after, t); });
     return {options_.resolution, options_.origin, raster_.sorted()};
   }
 

@@ -303,6 +303,16 @@ Coverage Instance::coverage_of_all_groups() const {
   return all;
 }
 
+MotionChain chain_of(const Scene& scene, const Body& body) {
+  MotionChain motions;
+  for (const Body* link = &body;;) {
+    motions.insert(motions.begin(), PieceList::between(link->motion, scene.start, scene.end));
+    if (link->relative_to.empty()) return motions;
+    link = &*std::find_if(scene.bodies.begin(), scene.bodies.end(),
+                          [&](const Body& b) { return b.name == link->relative_to; });
+  }
+}
+
 double Instance::repeats_from(int a, int b) const {
   const auto turns = [this](int body) {
     const MotionChain& motions = section(body).motions;

@@ -538,6 +538,15 @@ export interface TransmissionAngle {
   greatest: Extreme;
 }
 
+/** Of swept(): rings of [x, y], outlines counterclockwise, holes clockwise. */
+export interface SweptRegion {
+  body: string;
+  tolerance: number;
+  area: number;
+  lock?: Lock;
+  parts: { outline: [number, number][]; holes?: [number, number][][] }[];
+}
+
 export interface MechanismAnswer {
   outcome: "moves" | "locked" | "undecided";
   reason?: string;

@@ -1,0 +1,40 @@
+// The question about the region that a body passes over, as text.
+#include <algorithm>
+
+#include "ask/question.hpp"
+#include "io/json_text.hpp"
+#include "taut/error.hpp"
+#include "taut/swept.hpp"
+
+namespace taut::internal {
+namespace {
+
+BodyId body_called(const Scene& scene, const std::string& name) {
+  const auto found =
+      std::find_if(scene.bodies.begin(), scene.bodies.end(), [&](const Body& body) { return body.name == name; });
+  if (found != scene.bodies.end()) return static_cast<BodyId>(found - scene.bodies.begin());
+  std::string names;
+  for (const Body& body : scene.bodies) names += (names.empty() ? "" : ", ") + body.name;
+  throw InputError("body", "there is no body " + io::string_text(name), "the scene has " + names);
+}
+
+Reply ask_swept(const Scene& scene, const GivenOptions& given) {
+  const BodyId body = body_called(scene, given.text("body"));
+  return {swept_json(scene, body, swept(scene, body, {given.number("tolerance"), given.limits()}))};
+}
+
+}  // namespace
+
+std::vector<QuestionEntry> swept_questions() {
+  return {{"swept",
+           "The region that a body passes over, whatever happens between poses.",
+           "SweptRegion",
+           {required_text("body", "The name of the body."),
+            number_option("tolerance", SweptOptions{}.tolerance,
+                          "How far the region may reach beyond it, in the scene's units; 0: a thousandth of the body's "
+                          "diagonal."),
+            max_seconds_option()},
+           ask_swept}};
+}
+
+}  // namespace taut::internal

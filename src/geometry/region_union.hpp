@@ -1,0 +1,37 @@
+// The union of many polygons, rounded to a grid.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "taut/geometry.hpp"
+#include "taut/scene.hpp"
+
+namespace taut::internal {
+
+/// Collects polygons, and unites those that came one after the other first: of what a moving body covers, most is
+/// inside of what it has covered just before.
+///
+/// Vertices are rounded to the nearest points of the grid, and so is where edges cross; edges pass within one and a
+/// half grid units of where they were.
+class RegionUnion {
+ public:
+  /// The grid is a power of two; coordinates are less than 2^largest_bits of it.
+  explicit RegionUnion(double grid);
+  ~RegionUnion();
+
+  static constexpr int largest_bits = 28;
+  double largest() const;
+
+  /// A polygon whose vertices run counterclockwise.
+  void add(const Polygon& polygon);
+  void add(const Part& part);
+  /// The union. No rings meet, not even at points. Nothing may be added afterwards.
+  std::vector<Part> parts();
+
+ private:
+  struct Levels;
+  std::unique_ptr<Levels> levels_;
+};
+
+}  // namespace taut::internal
