@@ -5,59 +5,53 @@
 
 #include <atomic>
 #include <chrono>
-#include <condition_variable>
 #include <exception>
 #include <functional>
-#include <mutex>
 #include <optional>
 #include <thread>
 #include <utility>
 
+#include "numeric/budget.hpp"
+
 namespace taut_python {
 
-/// How often the calling thread looks for signals while work is done.
-constexpr std::chrono::milliseconds signal_period{20};
+/// How often a thread looks for signals while it works.
+constexpr std::chrono::milliseconds signal_period{50};
 
-/// Runs `work` on a thread of its own, and hands over what it returns or throws. Called with the interpreter's lock,
-/// which is free meanwhile: other threads of Python go on. Where a handler of signals raises an exception, as for
-/// Ctrl-C, `stop` tells the work to stop, and the exception goes on as soon as it has.
+/// Looks for signals between two steps of the work, and tells it to stop where a handler raises an exception.
+class SignalWatch {
+ public:
+  explicit SignalWatch(std::atomic<bool>& stop) : stop_(stop) {}
+
+  /// Called without the interpreter's lock.
+  void look();
+  /// Did a handler raise an exception? It is then set.
+  bool raised() const { return raised_; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  std::atomic<bool>& stop_;
+  Clock::time_point next_ = Clock::now() + signal_period;
+  bool over_ = false, raised_ = false;
+};
+
+/// For a thread that waits for others within attended(): looks for signals, as it does while it works.
+void look_for_signals();
+
+/// Does this thread run a handler of signals, in the middle of work?
+bool handles_signals();
+
+/// Runs `work` on this thread, whose checkpoints look for signals meanwhile. Called with the interpreter's lock.
+void run_watched(std::atomic<bool>& stop, const std::function<void()>& work);
+
+/// Runs `work`, and hands over what it returns or throws. Called with the interpreter's lock, which is free meanwhile:
+/// other threads of Python go on. Where a handler of signals raises an exception, as for Ctrl-C, `stop` tells the work
+/// to stop, and the exception goes on as soon as it has.
 template <class Result>
 Result attended(std::atomic<bool>& stop, const std::function<Result()>& work) {
-  std::mutex mutex;
-  std::condition_variable finished;
-  bool done = false;
   std::optional<Result> result;
-  std::exception_ptr error;
-  std::thread worker([&] {
-    try {
-      result.emplace(work());
-    } catch (...) {
-      error = std::current_exception();
-    }
-    // Told under the lock: once it is free, the calling thread may be gone from here, and what is told with it.
-    const std::lock_guard lock(mutex);
-    done = true;
-    finished.notify_one();
-  });
-  bool raised = false;
-  {
-    pybind11::gil_scoped_release released;
-    std::unique_lock lock(mutex);
-    while (!finished.wait_for(lock, signal_period, [&] { return done; })) {
-      lock.unlock();
-      {
-        pybind11::gil_scoped_acquire acquired;
-        raised = PyErr_CheckSignals() != 0;
-      }
-      lock.lock();
-      if (raised) break;
-    }
-    lock.unlock();
-    if (raised) stop = true;
-    worker.join();
-  }
-  if (raised) throw pybind11::error_already_set();
-  if (error) std::rethrow_exception(error);
+  run_watched(stop, [&] { result.emplace(work()); });
   return std::move(*result);
 }
 

@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <exception>
+#include <future>
 #include <mutex>
 #include <string>
 #include <system_error>
-#include <thread>
 #include <vector>
 
+#include "attended.hpp"
 #include "taut/error.hpp"
 
 namespace taut_python {
@@ -79,14 +80,16 @@ void each_row(std::size_t rows, std::size_t threads, const std::atomic<bool>& st
               const std::function<RowWork()>& worker) {
   SharedRows shared(rows, stop, worker);
   const std::size_t useful = std::min(threads, (rows + chunk - 1) / chunk);
-  std::vector<std::thread> others;
+  std::vector<std::future<void>> others;
   try {
-    while (others.size() + 1 < useful) others.emplace_back([&shared] { shared.work(); });
+    while (others.size() + 1 < useful) others.push_back(std::async(std::launch::async, [&shared] { shared.work(); }));
   } catch (const std::system_error&) {
     // As many as the system gives.
   }
   shared.work();
-  for (std::thread& other : others) other.join();
+  for (std::future<void>& other : others) {
+    while (other.wait_for(signal_period) != std::future_status::ready) look_for_signals();
+  }
   shared.rethrow();
 }
 

@@ -1,6 +1,6 @@
 // What the Python package asks of the library.
 //
-// Work is done on threads of its own, without the interpreter's lock, while the calling thread looks for signals:
+// Work is done without the interpreter's lock, by the calling thread, which looks for signals at its checkpoints:
 // Ctrl-C then ends a check within moments, and other threads of Python go on meanwhile.
 #include "bindings.hpp"
 

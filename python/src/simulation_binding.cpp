@@ -268,13 +268,20 @@ class LiveSimulation {
   static taut::Motion motion_of(const SceneText& text) { return text.read().bodies.at(0).motion; }
 
   /// Is this a call from a callback?
-  bool works_here() const { return working_.load() == std::this_thread::get_id(); }
+  bool works_here() const {
+    const bool here = working_.load() == std::this_thread::get_id();
+    if (here && handles_signals())
+      throw taut::InputError("", "a handler of signals asks a simulation in the middle of its work",
+                             "ask after the call that works has returned");
+    return here;
+  }
 
   template <class Result>
   Result change(const std::function<Result()>& work) {
     if (works_here()) return work();
     return attended<Result>(stop_, [&] {
-      const std::lock_guard turn(mutex_);
+      std::unique_lock turn(mutex_, std::defer_lock);
+      while (!turn.try_lock_for(signal_period)) look_for_signals();
       const Working here(working_);
       return work();
     });
@@ -290,7 +297,7 @@ class LiveSimulation {
   };
 
   std::atomic<bool> stop_{false};
-  std::mutex mutex_;
+  std::timed_mutex mutex_;
   std::atomic<std::thread::id> working_{};
   std::optional<taut::Simulation> simulation_;
 };

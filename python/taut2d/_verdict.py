@@ -5,12 +5,45 @@ from __future__ import annotations
 import json
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, NoReturn, Optional
+from typing import TYPE_CHECKING, Any, Callable, NoReturn, Optional, TypeVar
 
 from .words import LockKind
 
 if TYPE_CHECKING:
     from .answers import Coverage
+
+
+_Read = TypeVar("_Read", bound="ReadLater")
+
+
+class ReadLater:
+    """Has its members from its ``json``, which is read when the first one is asked for: who only wants to know whether
+    bodies collide does not wait for the rest. Members with a default of None have it from a factory, since one of the
+    class would hide that they are missing."""
+
+    @classmethod
+    def _of(cls: type[_Read], text: str, read: Callable[[str], dict[str, Any]], **known: Any) -> _Read:
+        """From a text that the library has written."""
+        answer = object.__new__(cls)
+        answer.__dict__.update(known, json=text, _read=read)
+        return answer
+
+    if not TYPE_CHECKING:  # a checker is to know which members there are
+
+        def __getattr__(self, name: str) -> Any:
+            members = self.__dict__
+            read = members.get("_read")
+            if read is not None and not name.startswith("__"):
+                members.update(read(members["json"]))
+                # Last: another thread may read the same.
+                members.pop("_read", None)
+            if name in members:
+                return members[name]
+            raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
+
+
+def nothing() -> None:
+    """The factory of members that are None by default."""
 
 
 class Undivided:
@@ -42,7 +75,7 @@ def lock_from(value: Any) -> Optional[Lock]:
     return Lock((float(lo), float(hi)), value["kind"], tuple(value["joints"]), tuple(value["links"]))
 
 
-class Verdict(Undivided):
+class Verdict(ReadLater, Undivided):
     """An answer: str() gives it in at most three lines."""
 
     outcome: str

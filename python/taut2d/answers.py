@@ -7,7 +7,7 @@ import os
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Optional, Union
 
-from ._verdict import Undivided, Verdict, bodies_text, instant, names
+from ._verdict import Undivided, Verdict, bodies_text, instant, names, nothing
 from .words import ContactAt, EngineName, OutcomeWord, Touch, VerifiedOutcome
 
 if TYPE_CHECKING:
@@ -168,7 +168,7 @@ class Answer(Verdict):
     id: Any
     json: str = field(repr=False)
     scene: Optional[Scene] = field(default=None, repr=False, compare=False)
-    geometry: Optional[Geometry] = None
+    geometry: Optional[Geometry] = field(default_factory=nothing)
 
     _instead = 'answer.free, or answer.outcome == "contact"'
 
@@ -301,39 +301,39 @@ def _pair_answer(object: dict[str, Any]) -> PairAnswer:
 
 def answer_from_json(text: str, scene: Optional[Scene] = None) -> Answer:
     """The answer that ``taut check --json`` has printed."""
+    return Answer._of(text, _answer_members, scene=scene)
+
+
+def _answer_members(text: str) -> dict[str, Any]:
     object = json.loads(text)
     scope, certificates = object["scope"], object["certificates"]
     touching = object.get("touching")
     if touching is not None:
         touching = _contact({**touching, "grazing": object.get("grazing", False)})
     pairs = object.get("pairs")
-    bodies = scope["bodies"]
-    pair = _pair(object["pair"]) if "pair" in object else None
-    return Answer(
-        outcome=object["outcome"],
-        contact=_contact(object),
-        touching=touching,
-        touching_undecided=object.get("touching_undecided"),
-        overlap_point=_floats(object["overlap"]["point"]) if "overlap" in object else None,
-        free_until=_float(object.get("free_until")),
-        reason=object.get("reason"),
-        pair=pair,
-        also=tuple(map(_pair_answer, object.get("also", ()))),
-        coverage=Coverage(**object["coverage"]),
-        pairs=None if pairs is None else tuple(map(_pair_answer, pairs)),
-        engine=object["engine"],
-        events=object["events"],
-        certificates_initial=certificates["initial"],
-        certificates_max=certificates["max"],
-        touch=scope["touch"],
-        bodies=tuple(bodies),
-        time=_floats(scope["time"]),
-        fit=float(scope.get("fit", 0)),
-        id=object.get("id"),
-        json=text,
-        scene=scene,
-        geometry=Geometry(**object["geometry"]) if "geometry" in object else None,
-    )
+    return {
+        "outcome": object["outcome"],
+        "contact": _contact(object),
+        "touching": touching,
+        "touching_undecided": object.get("touching_undecided"),
+        "overlap_point": _floats(object["overlap"]["point"]) if "overlap" in object else None,
+        "free_until": _float(object.get("free_until")),
+        "reason": object.get("reason"),
+        "pair": _pair(object["pair"]) if "pair" in object else None,
+        "also": tuple(map(_pair_answer, object.get("also", ()))),
+        "coverage": Coverage(**object["coverage"]),
+        "pairs": None if pairs is None else tuple(map(_pair_answer, pairs)),
+        "engine": object["engine"],
+        "events": object["events"],
+        "certificates_initial": certificates["initial"],
+        "certificates_max": certificates["max"],
+        "touch": scope["touch"],
+        "bodies": tuple(scope["bodies"]),
+        "time": _floats(scope["time"]),
+        "fit": float(scope.get("fit", 0)),
+        "id": object.get("id"),
+        "geometry": Geometry(**object["geometry"]) if "geometry" in object else None,
+    }
 
 
 def verified_from_json(text: str) -> Verified:

@@ -7,7 +7,7 @@ from typing import Optional, Union
 
 from .answers import Answer, Proof, Verified, answer_from_json, verified_from_json
 from .margins import MarginProof
-from .options import ask, scene_text
+from .options import ask, asked_scene
 from .scene import Scene, _plain_places
 from .words import Engine, Pairs, Touch
 
@@ -34,7 +34,7 @@ def check(scene: Scene, *, touch: Touch = "open", engine: Engine = "usual", pair
     for a defect of taut, KeyboardInterrupt on Ctrl-C.
     """
     with _plain_places():
-        answer, _, _ = ask("check", scene_text(scene), touch=touch, engine=engine, pairs=pairs, max_seconds=max_seconds,
+        answer, _, _ = ask("check", asked_scene(scene), touch=touch, engine=engine, pairs=pairs, max_seconds=max_seconds,
                            max_events=max_events, fit=fit, time_tolerance=time_tolerance)
         return answer_from_json(answer, scene)
 
@@ -50,7 +50,7 @@ def prove(scene: Scene, *, touch: Touch = "open", engine: Engine = "usual", max_
     undecided run proves what it has done.
     """
     with _plain_places():
-        answer, log, name = ask("prove", scene_text(scene), touch=touch, engine=engine, max_seconds=max_seconds,
+        answer, log, name = ask("prove", asked_scene(scene), touch=touch, engine=engine, max_seconds=max_seconds,
                                 max_events=max_events)
     return Proof(answer_from_json(answer, scene), log, name)
 
@@ -71,5 +71,5 @@ def verify(scene: Scene, proof: Union[Proof, MarginProof, bytes, str, os.PathLik
         with open(proof, "rb") as file:
             log = file.read()
     with _plain_places():
-        found, _, _ = ask("verify", scene_text(scene), log=log, max_seconds=max_seconds)
+        found, _, _ = ask("verify", asked_scene(scene), log=log, max_seconds=max_seconds)
         return verified_from_json(found)

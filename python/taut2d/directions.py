@@ -8,7 +8,7 @@ from typing import Any, Optional
 
 from ._verdict import Verdict, counted, names
 from .answers import Coverage, EdgeRef, Interval, VertexRef, _floats
-from .options import ask, scene_text
+from .options import ask, asked_scene
 from .scene import Scene, _plain_places
 from .words import SeparationOutcome
 
@@ -132,5 +132,5 @@ def separate(scene: Scene, *, travel: Optional[float] = None, max_seconds: Optio
     the travel's end, too. Of two bodies, the second one moves. Errors are those of check().
     """
     with _plain_places():
-        answer, _, _ = ask("separate", scene_text(scene), travel=travel, max_seconds=max_seconds)
+        answer, _, _ = ask("separate", asked_scene(scene), travel=travel, max_seconds=max_seconds)
         return separation_from_json(answer)

@@ -9,7 +9,7 @@ from typing import Any, Optional
 from ._numbers import number
 from ._verdict import Undivided, Verdict, instant, names
 from .answers import Coverage, EdgeRef, Interval, Point, VertexRef, _floats, _pair
-from .options import ask, scene_text
+from .options import ask, asked_scene
 from .scene import Scene, _plain_places
 from .words import MarginOutcome, Pairs, Touch
 
@@ -129,7 +129,7 @@ def check_clearance(scene: Scene, clearance: float, *, touch: Touch = "open", pa
     check().
     """
     with _plain_places():
-        answer, _, _ = ask("check_clearance", scene_text(scene), clearance=number(clearance, "clearance"), touch=touch,
+        answer, _, _ = ask("check_clearance", asked_scene(scene), clearance=number(clearance, "clearance"), touch=touch,
                            pairs=pairs, max_seconds=max_seconds)
         return margin_from_json(answer)
 
@@ -139,6 +139,6 @@ def prove_clearance(scene: Scene, clearance: float, *, touch: Touch = "open",
     """As check_clearance(), with a log that proves the answer, in memory. Options and errors are those of
     check_clearance()."""
     with _plain_places():
-        answer, log, name = ask("prove_clearance", scene_text(scene), clearance=number(clearance, "clearance"),
+        answer, log, name = ask("prove_clearance", asked_scene(scene), clearance=number(clearance, "clearance"),
                                 touch=touch, max_seconds=max_seconds)
     return MarginProof(margin_from_json(answer), log, name)

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import Any, Optional
 
 from ._verdict import Lock, Undivided, lock_from
-from .options import ask, scene_text
+from .options import ask, asked_scene
 from .scene import Scene, _plain_places
 from .words import MechanismOutcome
 
@@ -82,7 +82,7 @@ def mechanism(scene: Scene, *, instants: int = 0, max_seconds: Optional[float] =
     Errors are those of check(); InputError for a scene without a mechanism.
     """
     with _plain_places():
-        text, _, _ = ask("mechanism", scene_text(scene), instants=instants, max_seconds=max_seconds)
+        text, _, _ = ask("mechanism", asked_scene(scene), instants=instants, max_seconds=max_seconds)
     value = json.loads(text)
     joints = tuple(JointRange(j["joint"], (j["bodies"][0], j["bodies"][1]), j["unit"], _extreme(j["least"]), _extreme(j["greatest"]))
                    for j in value["joints"])

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import functools
 import json
 from collections.abc import Callable
-from typing import Any, Optional, TypeVar
+from typing import Any, Optional, TypeVar, Union
 
 from . import _taut2d
 from ._numbers import number
 from .errors import InputError
+from .prepared import read_scene
 from .scene import Scene
 from .words import Engine, Pairs, Touch
 
@@ -80,11 +82,35 @@ def _checked(option: dict[str, Any], value: Any) -> Any:
     return None if value is None and is_limit else _by_type[option["type"]](value, name)
 
 
-def ask(name: str, text: _taut2d.SceneText, *, log: bytes = b"", **options: Any) -> tuple[str, bytes, str]:
+def _default(option: dict[str, Any]) -> Any:
+    return option["words"][0] if option["type"] == "word" else option.get("default")
+
+
+def _written(name: str, /, **options: Any) -> str:
+    """Options as JSON; those that are None, or what they are by default, are left out."""
+    known = _questions[name]
+    checked = {key: _checked(known[key], value) for key, value in options.items()}
+    return json.dumps({key: value for key, value in checked.items() if value not in (None, _default(known[key]))})
+
+
+# Of options that come again: writing them takes as long as a small question. 1, 1.0 and True are not the same.
+_known_options = functools.lru_cache(maxsize=256, typed=True)(_written)
+
+
+def ask(name: str, about: Union[_taut2d.ReadScene, _taut2d.SceneText], *, log: bytes = b"",
+        **options: Any) -> tuple[str, bytes, str]:
     """One question to the library: the answer as JSON, and of a proof its log and the name of its scene. Options that are
     None are left out."""
-    checked = {key: _checked(_questions[name][key], value) for key, value in options.items()}
-    return _taut2d.ask(text, name, json.dumps({key: value for key, value in checked.items() if value is not None}), log)
+    try:
+        written = _known_options(name, **options)
+    except TypeError:  # of what cannot be a key
+        written = _written(name, **options)
+    return _taut2d.ask(about, name, written, log)
+
+
+def asked_scene(scene: Any) -> Union[_taut2d.ReadScene, _taut2d.SceneText]:
+    """What ask() is given about a scene."""
+    return read_scene(scene) if isinstance(scene, Scene) else scene_text(scene)
 
 
 def scene_text(scene: Any, place: str = "scene") -> _taut2d.SceneText:

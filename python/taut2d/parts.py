@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import Any, Optional, Union
 
 from ._numbers import number, path_text, point
@@ -56,6 +56,11 @@ def _ring(values: Any, place: str) -> Ring:
     return ring
 
 
+def plain_state(instance: Any) -> dict[str, Any]:
+    """What copies and pickles of it have: its fields, without what the library has made of them."""
+    return {f.name: getattr(instance, f.name) for f in fields(instance)}
+
+
 @dataclass(frozen=True)
 class Part:
     """A polygon without its holes. ``outline`` and each of ``holes`` are lists of (x, y), or numpy arrays with two
@@ -72,6 +77,9 @@ class Part:
         holes = tuple(_ring(hole, f"holes[{i}]") for i, hole in enumerate(self.holes))
         object.__setattr__(self, "holes", holes)
         object.__setattr__(self, "z", layers(self.z))
+
+    def __getstate__(self) -> dict[str, Any]:
+        return plain_state(self)
 
     def _json(self) -> Any:
         outline = [list(p) for p in self.outline]
@@ -238,6 +246,9 @@ def _parts(value: Any, place: str) -> tuple[tuple[OnePart, ...], bool]:
         return (value,), False
     if isinstance(value, str):
         return _wkt_parts(value, place), False
+    if hasattr(value, "_body_parts"):
+        # A Shape, which is prepared already.
+        return value._body_parts(), False
     if hasattr(value, "__geo_interface__"):
         return _geo_parts(value.__geo_interface__, place), False
     if isinstance(value, Mapping):

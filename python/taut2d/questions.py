@@ -7,10 +7,10 @@ from dataclasses import dataclass, field
 from typing import Any, Optional
 
 from ._numbers import number
-from ._verdict import Verdict, bodies_text, bracket, counted, instant, names
+from ._verdict import Verdict, bodies_text, bracket, counted, instant, names, nothing
 from .answers import Coverage, EdgeRef, Interval, PairAnswer, Point, VertexRef, _floats, _pair, _pair_answer
 from .errors import InputError
-from .options import ask, scene_text
+from .options import ask, asked_scene
 from .scene import Scene, _plain_places
 from .words import Pairs, QuestionOutcome, RangeOutcome, Touch
 
@@ -145,7 +145,7 @@ class Clearance(Verdict):
     reason: Optional[str]
     coverage: Coverage
     json: str = field(repr=False, compare=False)
-    wide: Optional[str] = None
+    wide: Optional[str] = field(default_factory=nothing)
 
     @property
     def distance(self) -> Optional[Interval]:
@@ -257,11 +257,11 @@ def _nearest(value: Any) -> Optional[NearestPoints]:
                          None if edges is None else (EdgeRef(**edges[0]), EdgeRef(**edges[1])))
 
 
-def intervals_from_json(text: str) -> Intervals:
-    """What ``taut intervals --json`` has printed."""
+def _intervals_members(text: str) -> dict[str, Any]:
     value = json.loads(text)
     found = tuple(o for o in map(_overlap, value["intervals"]) if o is not None)
-    return Intervals(value["outcome"], value.get("reason"), found, tuple(map(_pair_answer, value["undecided"])), Coverage(**value["coverage"]), text)
+    return {"outcome": value["outcome"], "reason": value.get("reason"), "intervals": found,
+            "undecided": tuple(map(_pair_answer, value["undecided"])), "coverage": Coverage(**value["coverage"])}
 
 
 def range_from_json(text: str) -> Range:
@@ -273,12 +273,11 @@ def range_from_json(text: str) -> Range:
                  value.get("reason"), Coverage(**value["coverage"]), text)
 
 
-def clearance_from_json(text: str) -> Clearance:
-    """What ``taut clearance --json`` has printed."""
+def _clearance_members(text: str) -> dict[str, Any]:
     value = json.loads(text)
     pairs = tuple(n for n in map(_nearest, value.get("pairs", ())) if n is not None)
-    return Clearance(value["outcome"], _nearest(value["clearance"]), pairs, value.get("reason"), Coverage(**value["coverage"]), text,
-                     value.get("wide"))
+    return {"outcome": value["outcome"], "nearest": _nearest(value["clearance"]), "pairs": pairs,
+            "reason": value.get("reason"), "coverage": Coverage(**value["coverage"]), "wide": value.get("wide")}
 
 
 def _curve(value: Any) -> DistanceCurve:
@@ -303,8 +302,8 @@ def intervals(scene: Scene, *, touch: Touch = "open", max_seconds: Optional[floa
     ``max_seconds``: pairs that are not done by then are listed as undecided. Errors are those of check().
     """
     with _plain_places():
-        answer, _, _ = ask("intervals", scene_text(scene), touch=touch, max_seconds=max_seconds)
-        return intervals_from_json(answer)
+        answer, _, _ = ask("intervals", asked_scene(scene), touch=touch, max_seconds=max_seconds)
+        return Intervals._of(answer, _intervals_members)
 
 
 def range(scene: Scene, around: float, *, touch: Touch = "open", max_seconds: Optional[float] = None) -> Range:
@@ -314,7 +313,7 @@ def range(scene: Scene, around: float, *, touch: Touch = "open", max_seconds: Op
     """
     with _plain_places():
         at: dict[str, Any] = {"from": number(around, "around")}
-        answer, _, _ = ask("range", scene_text(scene), touch=touch, max_seconds=max_seconds, **at)
+        answer, _, _ = ask("range", asked_scene(scene), touch=touch, max_seconds=max_seconds, **at)
         return range_from_json(answer)
 
 
@@ -327,9 +326,9 @@ def clearance(scene: Scene, *, tolerance: float = 1e-9, pairs: Pairs = "first", 
     only of pairs that may come as close as this; others are counted as ``apart``. Errors are those of check().
     """
     with _plain_places():
-        answer, _, _ = ask("clearance", scene_text(scene), tolerance=tolerance, pairs=pairs, within=within,
+        answer, _, _ = ask("clearance", asked_scene(scene), tolerance=tolerance, pairs=pairs, within=within,
                            max_seconds=max_seconds)
-        return clearance_from_json(answer)
+        return Clearance._of(answer, _clearance_members)
 
 
 def distance_profile(scene: Scene, instants: int = 101, *, tolerance: float = 1e-9, pairs: Pairs = "first",
@@ -344,6 +343,6 @@ def distance_profile(scene: Scene, instants: int = 101, *, tolerance: float = 1e
     if not 2 <= instants <= 1000000:
         raise InputError("instants", f"{instants} instants were asked for", "2 to 1000000 can be")
     with _plain_places():
-        answer, _, _ = ask("distance_profile", scene_text(scene), instants=instants, tolerance=tolerance, pairs=pairs,
+        answer, _, _ = ask("distance_profile", asked_scene(scene), instants=instants, tolerance=tolerance, pairs=pairs,
                            max_seconds=max_seconds)
         return profile_from_json(answer)

@@ -14,7 +14,8 @@ from .answers import Answer, Contact
 from .errors import InputError
 from .motions import (CsvKeyframes, Free, Keyframes, Motion, Pieces, Polynomial, Revolute, Slide, Sweep, Velocity,
                       motion_from_json)
-from .parts import GeojsonFile, OnePart, Part, Path, WktFile, flatten_hint, layers, shape_of_value
+from .parts import (GeojsonFile, OnePart, Part, Path, WktFile, flatten_hint, layers, plain_state,
+                    shape_of_value)
 from .pictures import Pose
 from .words import AtRest, Touch
 
@@ -72,14 +73,15 @@ class Body:
                              "write Keyframes, Sweep, Velocity, Polynomial, Pieces or CsvKeyframes, in a Linkage Revolute, "
                              "Slide or Free, or None")
 
-    def _json(self) -> dict[str, Any]:
+    def _json(self, polygon: Any = None) -> dict[str, Any]:
+        """With another polygon than its own, if one is given."""
         object: dict[str, Any] = {"name": self.name}
         if self.id is not None:
             object["id"] = self.id
         if isinstance(self.shape, tuple):
             object["parts"] = [part._json() for part in self.shape]
         else:
-            object["polygon"] = self.shape._json()
+            object["polygon"] = self.shape._json() if polygon is None else polygon
         if self.z is not None:
             object["z"] = list(self.z)
         if self.relative_to is not None:
@@ -152,10 +154,13 @@ class Scene:
     def to_json(self) -> str:
         """The scene in the format taut-scene/1, on one line: what ``taut check`` reads. Every number reads back as the
         same double. Raises InputError if an id is no JSON value."""
+        return self._json([body._json() for body in self.bodies])
+
+    def _json(self, bodies: list[dict[str, Any]]) -> str:
         object: dict[str, Any] = {"format": "taut-scene/1", "time": list(self.time)}
         if self.id is not None:
             object["id"] = self.id
-        object["bodies"] = [body._json() for body in self.bodies]
+        object["bodies"] = bodies
         if self.ignore:
             object["ignore"] = [list(pair) for pair in self.ignore]
         if self.at_rest != "skip":
@@ -258,8 +263,11 @@ class Scene:
         from .notebook import html_of_scene
         return html_of_scene(self)
 
-    def _text(self) -> _taut2d.SceneText:
-        return _scene_text(self.to_json(), _unnamed, self.folder)
+    def _text(self, bodies: Optional[list[dict[str, Any]]] = None) -> _taut2d.SceneText:
+        return _scene_text(self.to_json() if bodies is None else self._json(bodies), _unnamed, self.folder)
+
+    def __getstate__(self) -> dict[str, Any]:
+        return plain_state(self)
 
 
 def _names(scene: Scene) -> str:

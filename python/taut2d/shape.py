@@ -61,6 +61,13 @@ class Shape:
         rings = [[tuple(struct.iter_unpack("dd", ring)) for ring in part] for part in self._core.rings()]
         return tuple(Part(part[0], part[1:]) for part in rings)
 
+    def _body_parts(self) -> tuple[Part, ...]:
+        """The parts as a body has them. One polygon keeps what it is prepared to."""
+        parts: tuple[Part, ...] = self.__dict__.setdefault("_parts", self.parts)
+        if len(parts) == 1 and not parts[0].holes:
+            parts[0].__dict__.setdefault("_core", self._core)
+        return parts
+
     @property
     def __geo_interface__(self) -> dict[str, Any]:
         closed = [tuple(ring + ring[:1] for ring in (part.outline, *part.holes)) for part in self.parts]

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <chrono>
 #include <cstdint>
+#include <functional>
 
 #include "taut/limits.hpp"
 
@@ -23,6 +24,8 @@ class Budget {
   explicit Budget(const Limits& limits);
   /// A budget for about this much work from now on; deterministic.
   explicit Budget(std::uint64_t effort);
+  /// No limit of its own: its checkpoints call `look`, which must outlive it.
+  explicit Budget(const std::function<void()>& look);
   ~Budget();
   Budget(const Budget&) = delete;
   Budget& operator=(const Budget&) = delete;
@@ -35,6 +38,7 @@ class Budget {
   void test_limits();
 
   const std::atomic<bool>* stop_ = nullptr;
+  const std::function<void()>* look_ = nullptr;
   bool limited_ = false;
   std::uint64_t end_ = UINT64_MAX;  ///< the value of work_spent() at the end
   Clock::time_point deadline_{};
