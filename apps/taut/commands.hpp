@@ -3,6 +3,8 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
+
 #include "command_line/command_line.hpp"
 
 namespace taut::cli {
@@ -28,10 +30,35 @@ AddCommand add_check, add_clearance, add_intervals, add_range, add_prove, add_ve
     add_separate, add_mechanism, add_envelope, add_path, add_separator, add_cells, add_swept, add_flatten, add_gen,
     add_import, add_schema, add_completion, add_man;
 
+/// A subcommand before it is defined.
+struct NamedCommand {
+  std::string_view name;
+  AddCommand* add;
+  bool needs_all = false;  ///< it prints what the others are
+};
+
 /// In the order in which `taut --help` lists them, after demo.
-inline constexpr AddCommand* commands[] = {
-    add_check,   add_clearance, add_intervals, add_range,    add_prove,      add_verify,    add_draw,  add_view,
-    add_trace,   add_separate,  add_mechanism, add_envelope, add_path,       add_separator, add_cells, add_swept,
-    add_flatten, add_gen,       add_import,    add_schema,   add_completion, add_man};
+inline constexpr NamedCommand commands[] = {{"check", add_check},
+                                            {"clearance", add_clearance},
+                                            {"intervals", add_intervals},
+                                            {"range", add_range},
+                                            {"prove", add_prove},
+                                            {"verify", add_verify},
+                                            {"draw", add_draw},
+                                            {"view", add_view},
+                                            {"trace", add_trace},
+                                            {"separate", add_separate},
+                                            {"mechanism", add_mechanism},
+                                            {"envelope", add_envelope},
+                                            {"path", add_path},
+                                            {"separator", add_separator},
+                                            {"cells", add_cells},
+                                            {"swept", add_swept},
+                                            {"flatten", add_flatten},
+                                            {"gen", add_gen},
+                                            {"import", add_import},
+                                            {"schema", add_schema},
+                                            {"completion", add_completion, true},
+                                            {"man", add_man, true}};
 
 }  // namespace taut::cli

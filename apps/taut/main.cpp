@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <exception>
+#include <iterator>
+#include <string_view>
 
 #include "commands.hpp"
 #include "interrupt.hpp"
@@ -31,9 +33,16 @@ void require_known_command(const taut::cli::Command& taut, int argc, char** argv
                          near.empty() ? "see `taut --help`" : fmt::format("did you mean `taut {}`?", near));
 }
 
-void add_commands(const taut::cli::Command& app, taut::cli::Action& action, const char* program_name) {
-  taut::cli::add_demo(app, action, program_name);
-  for (taut::cli::AddCommand* add : taut::cli::commands) add(app, action);
+/// Only the command that is called: to define all of them takes longer than most questions. All of them where there is
+/// none, for help and for what is said of unknown ones.
+void add_commands(const taut::cli::Command& app, taut::cli::Action& action, int argc, char** argv) {
+  const std::string_view word = argc > 1 ? argv[1] : "";
+  if (argc == 2 && word == "--version") return;
+  const auto called = std::find_if(std::begin(taut::cli::commands), std::end(taut::cli::commands),
+                                   [&](const taut::cli::NamedCommand& c) { return c.name == word; });
+  if (called != std::end(taut::cli::commands) && !called->needs_all) return called->add(app, action);
+  taut::cli::add_demo(app, action, argc > 0 ? argv[0] : "taut");
+  for (const taut::cli::NamedCommand& command : taut::cli::commands) command.add(app, action);
 }
 
 }  // namespace
@@ -45,7 +54,7 @@ int main(int argc, char** argv) {
   app.require_command();
   app.footer(examples);
   taut::cli::Action action;
-  add_commands(app, action, argc > 0 ? argv[0] : "taut");
+  add_commands(app, action, argc, argv);
   taut::cli::clean_up_on_signals();
   try {
     require_known_command(app, argc, argv);
