@@ -5,8 +5,12 @@
 namespace taut::internal {
 namespace {
 
-thread_local Budget *innermost = nullptr;
-thread_local std::uint64_t spent = 0, next_look = 0;
+/// Of this thread; together, since in a shared library each variable of a thread costs a call to be found.
+struct ThreadWork {
+  Budget* innermost = nullptr;
+  std::uint64_t spent = 0, next_look = 0;
+};
+thread_local ThreadWork mine;
 
 /// Limits longer than this count as no limit.
 constexpr double for_ever = 1e9;
@@ -16,71 +20,56 @@ std::uint64_t after(std::uint64_t work, std::uint64_t more) {
   return more < UINT64_MAX - work ? work + more : UINT64_MAX;
 }
 
-} // namespace
+}  // namespace
 
-Budget::Budget(const Limits &limits)
-    : stop_(limits.stop), limited_(limits.max_seconds < for_ever),
-      outer_(innermost) {
+Budget::Budget(const Limits& limits)
+    : stop_(limits.stop), limited_(limits.max_seconds < for_ever), outer_(mine.innermost) {
   if (!(limits.max_seconds >= 0))
-    throw InputError("max_seconds", "it is negative or not a number",
-                     "give 0 or more, or leave it out");
+    throw InputError("max_seconds", "it is negative or not a number", "give 0 or more, or leave it out");
   const std::chrono::duration<double> limit(limits.max_seconds);
-  if (limited_)
-    deadline_ =
-        Clock::now() + std::chrono::duration_cast<Clock::duration>(limit);
-  innermost = this;
+  if (limited_) deadline_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(limit);
+  mine.innermost = this;
 }
 
-Budget::Budget(std::uint64_t effort)
-    : end_(after(spent, effort)), outer_(innermost) {
-  innermost = this;
-  next_look = spent + between_looks;
+Budget::Budget(std::uint64_t effort) : end_(after(mine.spent, effort)), outer_(mine.innermost) {
+  mine.innermost = this;
+  mine.next_look = mine.spent + between_looks;
 }
 
-Budget::Budget(const std::function<void()> &look)
-    : look_(&look), outer_(innermost) {
-  innermost = this;
-}
+Budget::Budget(const std::function<void()>& look) : look_(&look), outer_(mine.innermost) { mine.innermost = this; }
 
-Budget::~Budget() { innermost = outer_; }
+Budget::~Budget() { mine.innermost = outer_; }
 
 void Budget::check() const {
-  if (look_)
-    (*look_)();
-  if (stop_ && stop_->load(std::memory_order_relaxed))
-    throw Interrupted{"interrupted"};
-  if (limited_ && Clock::now() >= deadline_)
-    throw Interrupted{"the time limit was reached"};
-  if (outer_)
-    outer_->check();
+  if (look_) (*look_)();
+  if (stop_ && stop_->load(std::memory_order_relaxed)) throw Interrupted{"interrupted"};
+  if (limited_ && Clock::now() >= deadline_) throw Interrupted{"the time limit was reached"};
+  if (outer_) outer_->check();
 }
 
 void Budget::test_limits() {
   check();
-  if (spent >= end_)
-    throw Interrupted{"the effort was used up"};
+  if (mine.spent >= end_) throw Interrupted{"the effort was used up"};
 }
 
-UnmeteredScope::UnmeteredScope()
-    : spent_(spent), next_look_(next_look), unlimited_(UINT64_MAX) {}
+UnmeteredScope::UnmeteredScope() : spent_(mine.spent), next_look_(mine.next_look), unlimited_(UINT64_MAX) {}
 
 UnmeteredScope::~UnmeteredScope() {
-  spent = spent_;
-  next_look = next_look_;
+  mine.spent = spent_;
+  mine.next_look = next_look_;
 }
 
 void checkpoint(std::uint64_t work) {
-  spent += work;
-  if (!innermost || spent < next_look)
-    return;
-  next_look = spent + between_looks;
-  innermost->test_limits();
+  mine.spent += work;
+  if (!mine.innermost || mine.spent < mine.next_look) return;
+  mine.next_look = mine.spent + between_looks;
+  mine.innermost->test_limits();
 }
 
-void count_work(std::uint64_t work) { spent += work; }
+void count_work(std::uint64_t work) { mine.spent += work; }
 
-std::uint64_t work_spent() { return spent; }
+std::uint64_t work_spent() { return mine.spent; }
 
-Slice::Slice(std::uint64_t effort) : end_(after(spent, effort)) {}
+Slice::Slice(std::uint64_t effort) : end_(after(mine.spent, effort)) {}
 
-} // namespace taut::internal
+}  // namespace taut::internal
