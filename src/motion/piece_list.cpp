@@ -10,10 +10,13 @@ namespace {
 
 /// From so many on it matters how much room there is that nothing is in.
 constexpr std::size_t many_pieces = 256;
+/// Most motions of one piece have no more.
+constexpr std::size_t few_numbers = 8;
 
 }  // namespace
 
 void PieceList::Packed::add(const MotionPiece& piece) {
+  if (numbers.empty()) numbers.reserve(few_numbers);
   Place place;
   place.until = piece.until;
   place.first = numbers.size();
@@ -123,6 +126,12 @@ MotionPiece PieceList::operator[](std::size_t k) const {
   return piece;
 }
 
+std::span<const double> PieceList::way(std::size_t k, bool of_y) const {
+  const Place& place = packed_->places[k];
+  const std::span<const double> all(packed_->numbers.data() + place.first, std::size_t{place.x} + place.y);
+  return of_y ? all.subspan(place.x) : all.first(place.x);
+}
+
 std::size_t PieceList::number_at(double t) const {
   const auto& places = packed_->places;
   const auto later = [](double time, const Place& place) { return time < place.until; };
@@ -149,11 +158,11 @@ std::optional<PieceList::Rates> PieceList::last_rates(double end) const {
 bool PieceList::same_at(std::size_t a, std::size_t b) const { return a == b || same_motion((*this)[a], (*this)[b]); }
 
 bool PieceList::rests() const {
-  const MotionPiece rest;
-  for (std::size_t k = 0; k < size(); ++k) {
-    if (!same_motion((*this)[k], rest)) return false;
-  }
-  return true;
+  if (empty()) return true;
+  // Whatever its pivot is: nothing turns about it.
+  return std::all_of(packed_->places.begin(), packed_->places.end(), [](const Place& place) {
+    return place.x == 0 && place.y == 0 && place.form == Form::none && place.orbit == 0;
+  });
 }
 
 bool same_pieces(const PieceList& a, const PieceList& b) {
@@ -171,7 +180,8 @@ std::size_t count_common(const MotionChain& a, const MotionChain& b) {
 }
 
 MotionChain without_first(const MotionChain& chain, std::size_t count) {
-  if (count == chain.size()) return {PieceList({MotionPiece{}})};
+  static const PieceList rest({MotionPiece{}});
+  if (count == chain.size()) return {rest};
   return {chain.begin() + static_cast<std::ptrdiff_t>(count), chain.end()};
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -30,6 +31,8 @@ class PieceList {
   std::size_t size() const { return packed_ ? packed_->places.size() : 0; }
   bool empty() const { return size() == 0; }
   MotionPiece operator[](std::size_t k) const;
+  /// The coefficients of the x coordinate of piece k, or of y.
+  std::span<const double> way(std::size_t k, bool of_y) const;
   /// Until when piece k holds.
   double until(std::size_t k) const { return packed_->places[k].until; }
   /// The number of the piece that holds at t; the last one later, too.

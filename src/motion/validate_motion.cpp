@@ -1,5 +1,7 @@
+#include <array>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <sstream>
 #include <utility>
 
@@ -29,9 +31,9 @@ class PieceCheck {
     coefficients("x", piece_.x);
     coefficients("y", piece_.y);
     usable(piece_.origin, [] { return std::string("origin"); });
-    coefficients("pivot", {piece_.pivot.x, piece_.pivot.y});
+    coefficients("pivot", std::array{piece_.pivot.x, piece_.pivot.y});
     coefficients("orbit.angle", piece_.orbit.angle);
-    coefficients("orbit.centre", {piece_.orbit.centre.x, piece_.orbit.centre.y});
+    coefficients("orbit.centre", std::array{piece_.orbit.centre.x, piece_.orbit.centre.y});
     std::visit(
         Overloaded{[](const NoRotation&) {}, [&](const AngleRotation& r) { coefficients("rotation.angle", r.angle); },
                    [&](const HalfAngleRotation& r) { coefficients("rotation.half_angle_tangent", r.s); },
@@ -51,7 +53,7 @@ class PieceCheck {
         "choose other units");
   }
 
-  void coefficients(const char* what, const Coefficients& c) const {
+  void coefficients(const char* what, std::span<const double> c) const {
     for (std::size_t i = 0; i < c.size(); ++i)
       usable(c[i], [&] { return std::string(what) + "[" + std::to_string(i) + "]"; });
     if (c.size() > max_degree + 1)

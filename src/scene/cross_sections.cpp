@@ -6,9 +6,7 @@ namespace taut::internal {
 
 std::vector<Layers> layers_of_parts(const Body& body) {
   std::vector<Layers> all;
-  for (const Part& part : body.parts) all.push_back(part.z.value_or(body.z));
-  for (const CurvedPart& part : body.curves) all.push_back(part.z.value_or(body.z));
-  if (all.empty()) all.push_back(body.z);
+  for_each_layers(body, [&](const Layers& z) { all.push_back(z); });
   return all;
 }
 
@@ -41,10 +39,10 @@ std::vector<CrossSection> cross_sections_of(const Body& body) {
 }
 
 bool share_layers(const Body& a, const Body& b) {
-  const std::vector<Layers> of_a = layers_of_parts(a), of_b = layers_of_parts(b);
-  return std::any_of(of_a.begin(), of_a.end(), [&](const Layers& x) {
-    return std::any_of(of_b.begin(), of_b.end(), [&](const Layers& y) { return x.meet(y); });
-  });
+  bool share = false;
+  for_each_layers(a,
+                  [&](const Layers& x) { for_each_layers(b, [&](const Layers& y) { share = share || x.meet(y); }); });
+  return share;
 }
 
 }  // namespace taut::internal

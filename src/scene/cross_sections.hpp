@@ -19,7 +19,14 @@ struct CrossSection {
 /// meet().
 std::vector<CrossSection> cross_sections_of(const Body& body);
 
-/// Of the body's parts, in order; one element of a body that is one polygon.
+/// Calls visit(layers) for each of the body's parts, in order; once for a body that is one polygon.
+template <class Visit>
+void for_each_layers(const Body& body, const Visit& visit) {
+  for (const Part& part : body.parts) visit(part.z.value_or(body.z));
+  for (const CurvedPart& part : body.curves) visit(part.z.value_or(body.z));
+  if (body.parts.empty() && body.curves.empty()) visit(body.z);
+}
+/// All of these.
 std::vector<Layers> layers_of_parts(const Body& body);
 
 /// Do any two parts have a layer in common?

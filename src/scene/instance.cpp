@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <span>
 #include <unordered_map>
 
 #include "motion/pieces.hpp"
@@ -18,11 +19,11 @@ double key_of(const MotionChain& chain) {
   double sum = 0;
   for (const PieceList& pieces : chain) {
     for (std::size_t i = 0; i < pieces.size(); ++i) {
-      const MotionPiece piece = pieces[i];
-      for (const Coefficients* c : {&piece.x, &piece.y}) {
+      for (const bool of_y : {false, true}) {
+        const std::span<const double> c = pieces.way(i, of_y);
         sum *= 0.6180339887498949;
         double value = 0;
-        for (std::size_t k = c->size(); k-- > 0;) value = value * 0.3819660112501051 + (*c)[k];
+        for (std::size_t k = c.size(); k-- > 0;) value = value * 0.3819660112501051 + c[k];
         sum += value;
       }
     }
@@ -53,12 +54,13 @@ void Instance::add_bodies(const Scene& scene) {
   bodies_.reserve(scene.bodies.size());
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     InstanceBody body;
-    const CrossSection lowest = cross_sections_of(scene.bodies[i]).front();
-    body.rings = std::make_shared<const RingSet>(scene.bodies[i], static_cast<int>(i), exponent_, lowest.parts);
+    const Body& given = scene.bodies[i];
+    const CrossSection lowest = given.parts.empty() ? CrossSection{given.z, {}} : cross_sections_of(given).front();
+    body.rings = std::make_shared<const RingSet>(given, static_cast<int>(i), exponent_, lowest.parts);
     body.body = static_cast<int>(i);
     body.z = lowest.z;
-    const PieceList own = PieceList::between(scene.bodies[i].motion, start_, end_, exponent_);
-    if (!own.rests()) body.own = own;
+    PieceList own = PieceList::between(given.motion, start_, end_, exponent_);
+    if (!own.rests()) body.own = std::move(own);
     bodies_.push_back(std::move(body));
   }
   find_parents(scene);
@@ -179,10 +181,16 @@ void Instance::join_group(int body) {
 void Instance::find_groups() {
   // One body of each group, by the key of its motion.
   std::unordered_map<double, std::vector<int>> representatives;
+  const auto moves = [](const InstanceBody& body) { return !body.motions.empty(); };
+  const bool one_moves = std::count_if(bodies_.begin(), bodies_.end(), moves) == 1;
   for (InstanceBody& body : bodies_) {
     if (body.motions.empty()) {
       if (resting_ < 0) resting_ = groups_++;
       body.group = resting_;
+      continue;
+    }
+    if (one_moves) {
+      body.group = groups_++;
       continue;
     }
     const int index = static_cast<int>(&body - bodies_.data());

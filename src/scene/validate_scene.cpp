@@ -90,13 +90,14 @@ void validate_shape(const Body& body, BodyId id, ShapeFacts& range, AxisBox& box
 }
 
 void validate_layers(const Body& body) {
-  const std::vector<Layers> layers = layers_of_parts(body);
-  for (std::size_t k = 0; k < layers.size(); ++k) {
-    if (layers[k].lo < layers[k].hi) continue;
-    throw InputError(ring_name(body.name, layers.size() > 1, static_cast<int>(k), 0),
-                     fmt::format("its layers z run from {} to {}", layers[k].lo, layers[k].hi),
-                     "write the lower height first, and two different ones");
-  }
+  const bool of_parts = body.parts.size() + body.curves.size() > 1;
+  int k = 0;
+  for_each_layers(body, [&](const Layers& z) {
+    if (!(z.lo < z.hi))
+      throw InputError(ring_name(body.name, of_parts, k, 0), fmt::format("its layers z run from {} to {}", z.lo, z.hi),
+                       "write the lower height first, and two different ones");
+    ++k;
+  });
 }
 
 void validate_parents(const Scene& scene, const Names& names) {
@@ -164,6 +165,7 @@ void validate_polygons(const Scene& scene) {
   ShapeFacts range;
   range.least = INFINITY;
   std::vector<AxisBox> boxes;
+  boxes.reserve(scene.bodies.size());
   double extent = 0;
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     AxisBox box;

@@ -33,6 +33,7 @@ bool before(const PairAnswer& a, const PairAnswer& b) {
 /// The events that are unordered with the first one, itself included: every other overlap, or contacts that may come
 /// before it.
 std::vector<std::size_t> together(const std::vector<PairEvent>& events, const PairAnswer& first) {
+  if (events.size() == 1) return {0};
   std::vector<std::size_t> alike;
   std::vector<ContactCandidate> contacts;
   for (std::size_t i = 0; i < events.size(); ++i) {
@@ -51,6 +52,7 @@ std::vector<std::size_t> together(const std::vector<PairEvent>& events, const Pa
 }  // namespace
 
 std::vector<PairEvent> earliest_of_each_pair(std::vector<PairEvent> events) {
+  if (events.size() < 2) return events;
   const auto happens = [](const PairEvent& event) { return event.pair.outcome != Outcome::free; };
   std::map<std::array<BodyId, 2>, std::vector<PairEvent>> by_pair;
   for (PairEvent& event : events) by_pair[event.pair.bodies].push_back(std::move(event));

@@ -219,8 +219,8 @@ struct ContactSearch::State {
 
 ContactSearch::ContactSearch(const PairGeometry& geometry, const TreePair& trees, const MotionSegments& segments,
                              const std::optional<TimeWindow>& window)
-    : state_(std::make_unique<State>(State{
-          geometry, trees, segments, window, window ? segments.first_until(window->from) : 0, std::nullopt, {}})) {}
+    : state_(new State{
+          geometry, trees, segments, window, window ? segments.first_until(window->from) : 0, std::nullopt, {}}) {}
 ContactSearch::~ContactSearch() = default;
 ContactSearch::ContactSearch(ContactSearch&&) noexcept = default;
 

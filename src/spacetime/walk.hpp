@@ -5,9 +5,11 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "numeric/budget.hpp"
+#include "numeric/thread_local_pool.hpp"
 #include "spacetime/any_rotation.hpp"
 #include "spacetime/box_separation.hpp"
 
@@ -36,6 +38,26 @@ enum class BoxDecision : unsigned char {
 /// Boxes that move farther than this share of their size are left to shorter stretches of time; others are divided.
 constexpr double subdivision_threshold = 0.75;
 
+/// A stretch that is to be searched, and its pairs. Those before them belong to longer stretches, those after them to
+/// shorter ones, which are done by then.
+struct WalkLevel {
+  double start, end;
+  std::size_t first, last;
+  double middle() const { return start + (end - start) / 2; }
+};
+
+/// What a walk has to do. A thread keeps it for its next walk, unless it has become large.
+struct WalkMemory {
+  std::vector<WalkLevel> levels;
+  std::vector<BoxPair> pairs, todo;
+
+  void trim() {
+    constexpr std::size_t large = 4096;
+    if (pairs.capacity() > large) pairs = {};
+    if (todo.capacity() > large) todo = {};
+  }
+};
+
 /// Stretches of time are halved, each with the pairs of boxes about which something is still to be known in it, and
 /// worked on in their order: the motion is evaluated once for all pairs of a stretch. What is to be known is the
 /// question's to say; it has
@@ -51,6 +73,9 @@ class Walk {
  public:
   Walk(const TreePair& trees, const MotionSegment& segment, Query& question)
       : trees_(trees), segment_(segment), question_(question), polynomial_(segment) {}
+  ~Walk() { memory_->trim(); }
+  Walk(const Walk&) = delete;
+  Walk& operator=(const Walk&) = delete;
 
   /// From the root of both trees, throughout [from, to] of the segment's parameter.
   void through(double from, double to) {
@@ -63,7 +88,8 @@ class Walk {
     to_ = to;
     begun_ = false;
     levels_.clear();
-    spans_.assign(1, {to, {{0, 0}}});
+    spans_.clear();
+    if (!segment_.translation) spans_.push_back({to, {{0, 0}}});
   }
   /// Returns false if the slice was used up before the end.
   bool advance(const Slice& slice) {
@@ -173,9 +199,12 @@ class Walk {
     }
     todo_.clear();
   }
-  void begin_at_root(double from, double to) { begin_at({{0, 0}}, from, to); }
-  void begin_at(const std::vector<BoxPair>& pairs, double from, double to) {
-    pairs_ = pairs;
+  void begin_at_root(double from, double to) {
+    const BoxPair root{0, 0};
+    begin_at({&root, 1}, from, to);
+  }
+  void begin_at(std::span<const BoxPair> pairs, double from, double to) {
+    pairs_.assign(pairs.begin(), pairs.end());
     levels_.assign(1, {from, to, 0, pairs_.size()});
     stretch_.reset();
   }
@@ -183,18 +212,10 @@ class Walk {
     if (segment_.translation) return Stretch::of_translation(segment_, polynomial_, from, to);
     return window_->smooth() ? Stretch::of_window(segment_, *window_, from, to) : Stretch::of_range(segment_, *window_);
   }
-  /// A stretch that is to be searched, and its pairs. Those before them belong to longer stretches, those after them
-  /// to shorter ones, which are done by then.
-  struct Level {
-    double start, end;
-    std::size_t first, last;
-    double middle() const { return start + (end - start) / 2; }
-  };
-
   /// All that there is on levels_, the last one first; false if the slice was used up before.
   bool work_off(const Slice& slice) {
     while (!levels_.empty()) {
-      const Level level = levels_.back();
+      const WalkLevel level = levels_.back();
       if (!stretch_ && !begin(level)) {
         levels_.pop_back();
         continue;
@@ -208,19 +229,19 @@ class Walk {
     }
     return true;
   }
-  void begin_pairs(const Level& level) {
+  void begin_pairs(const WalkLevel& level) {
     pairs_.resize(level.last);
     todo_.clear();
     next_ = level.first;
   }
-  bool begin(const Level& level) {
+  bool begin(const WalkLevel& level) {
     begin_pairs(level);
     if (!question_.begins(level.start)) return false;
     stretch_.emplace(stretch(level.start, level.end));
     return true;
   }
   /// At all pairs of a stretch; false if the slice was used up before.
-  bool evaluate(const Level& level, const Slice& slice) {
+  bool evaluate(const WalkLevel& level, const Slice& slice) {
     const bool divisible =
         stretch_->r > question_.shortest && level.start < level.middle() && level.middle() < level.end;
     const double scale = segment_.translation || !window_ ? segment_.end - segment_.start : window_->length();
@@ -269,10 +290,11 @@ class Walk {
   double from_ = 0, to_ = 0, reached_ = 0;  ///< of the whole; of a segment that turns, windows begin there
   bool begun_ = false;                      ///< the only part of a translation
   std::vector<Span> spans_;                 ///< what is left of a segment that turns, the next one last
-  std::vector<Level> levels_;
-  std::optional<Stretch> stretch_;  ///< of the last level, if it has begun
-  std::size_t next_ = 0;            ///< of its pairs
-  std::vector<BoxPair> pairs_, todo_;
+  std::optional<Stretch> stretch_;          ///< of the last level, if it has begun
+  std::size_t next_ = 0;                    ///< of its pairs
+  ThreadLocalPool<WalkMemory>::Pointer memory_ = ThreadLocalPool<WalkMemory>::take();
+  std::vector<WalkLevel>& levels_ = memory_->levels;
+  std::vector<BoxPair>&pairs_ = memory_->pairs, &todo_ = memory_->todo;
 };
 
 }  // namespace taut::internal::spacetime
