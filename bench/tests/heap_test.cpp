@@ -2,8 +2,15 @@
 #include "heap.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+
+#include "compare/cases.hpp"
 #include "families.hpp"
+#include "taut/io.hpp"
 #include "taut/shape.hpp"
 
 namespace taut::bench {
@@ -39,6 +46,58 @@ TEST(Heap, AThreadKeepsTheRoomForModelsOfMotions) {
   ASSERT_STREQ(gears.name, "gears");
   // That room alone is as much.
   EXPECT_LT(heap_of_second(gears, 64, EngineChoice::kinetic), 600'000U);
+}
+
+Scene prepared(Scene scene) {
+  for (Body& body : scene.bodies) {
+    body.prepared = prepare(body.polygon, body.name);
+    body.polygon.clear();
+  }
+  return scene;
+}
+
+Scene contest_scene(const std::string& family, int n) {
+  for (const ContestFamily& f : contest_families()) {
+    if (f.name == family) return f.make(n).scene;
+  }
+  throw std::runtime_error("no family " + family);
+}
+
+struct CostOfQuestions {
+  std::uint64_t allocations = 0;
+  long faults = 0;
+};
+
+/// Of so many questions, after a few others.
+CostOfQuestions cost_of(const Scene& scene, EngineChoice engine, int times) {
+  CheckOptions options;
+  options.engine = engine;
+  for (int k = 0; k < 5; ++k) check(scene, options);
+  rusage before{}, after{};
+  getrusage(RUSAGE_SELF, &before);
+  const std::uint64_t allocations = heap_use().allocations;
+  for (int k = 0; k < times; ++k) check(scene, options);
+  getrusage(RUSAGE_SELF, &after);
+  return {heap_use().allocations - allocations, after.ru_minflt - before.ru_minflt};
+}
+
+TEST(Heap, ASmallQuestionAllocatesLittle) {
+  for (const char* family : {"octagons", "stars"}) {
+    const Scene scene = prepared(contest_scene(family, 8));
+    EXPECT_LE(cost_of(scene, EngineChoice::kinetic, 1).allocations, 75U) << family;
+    EXPECT_LE(cost_of(scene, EngineChoice::spacetime, 1).allocations, 45U) << family;
+    EXPECT_LE(cost_of(scene, EngineChoice::either, 1).allocations, 45U) << family;
+  }
+}
+
+TEST(Heap, QuestionsThatComeAgainTakeNoPagesFromTheSystem) {
+  for (const char* path : {"examples/lid.json", "examples/worlds/arm.json"}) {
+    const Scene scene = read_scene(path);
+    for (const EngineChoice engine : {EngineChoice::kinetic, EngineChoice::spacetime, EngineChoice::either}) {
+      // What else the process does may take a page now and then.
+      EXPECT_LT(cost_of(scene, engine, 100).faults, 50) << path << ", " << to_string(engine);
+    }
+  }
 }
 
 }  // namespace

@@ -1,14 +1,16 @@
 // Memory that a thread keeps for the next owner of the same type.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <memory>
-#include <utility>
 
 namespace taut::internal {
 
 /// take() returns the T that the last owner in this thread gave back, in the state in which it was left, or a new one.
-/// Allocating and freeing memory for each query would cost more than a small query does. One object of each type is
-/// kept until the thread ends; owners that are static objects may end later.
+/// Allocating and freeing memory for each query would cost more than a small query does. A few objects of each type,
+/// as the pairs of a small world have at once, are kept until the thread ends; owners that are static objects may end
+/// later.
 template <class T>
 class ThreadLocalPool {
  public:
@@ -18,14 +20,16 @@ class ThreadLocalPool {
   using Pointer = std::unique_ptr<T, GiveBack>;
 
   static Pointer take() {
-    T* const kept = over_ ? nullptr : std::exchange(own().kept_, nullptr);
-    return Pointer(kept ? kept : new T);  // new T leaves members without a constructor untouched, unlike new T()
+    if (over_ || own().count_ == 0)
+      return Pointer(new T);  // unlike new T(), leaves members without a constructor alone
+    ThreadLocalPool& pool = own();
+    return Pointer(pool.kept_[--pool.count_]);
   }
 
   ThreadLocalPool(const ThreadLocalPool&) = delete;
   ThreadLocalPool& operator=(const ThreadLocalPool&) = delete;
   ~ThreadLocalPool() {
-    delete kept_;
+    while (count_ > 0) delete kept_[--count_];
     over_ = true;
   }
 
@@ -33,10 +37,11 @@ class ThreadLocalPool {
   ThreadLocalPool() = default;
 
   static void give(T* it) {
-    if (over_ || own().kept_) {
+    if (over_ || own().count_ == most_kept) {
       delete it;
     } else {
-      own().kept_ = it;
+      ThreadLocalPool& pool = own();
+      pool.kept_[pool.count_++] = it;
     }
   }
   static ThreadLocalPool& own() {
@@ -44,8 +49,10 @@ class ThreadLocalPool {
     return spare;
   }
 
+  static constexpr std::size_t most_kept = 8;
   static inline thread_local bool over_ = false;
-  T* kept_ = nullptr;
+  std::array<T*, most_kept> kept_{};
+  std::size_t count_ = 0;
 };
 
 }  // namespace taut::internal

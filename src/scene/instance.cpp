@@ -59,8 +59,10 @@ void Instance::add_bodies(const Scene& scene) {
     body.rings = std::make_shared<const RingSet>(given, static_cast<int>(i), exponent_, lowest.parts);
     body.body = static_cast<int>(i);
     body.z = lowest.z;
-    PieceList own = PieceList::between(given.motion, start_, end_, exponent_);
-    if (!own.rests()) body.own = std::move(own);
+    if (!given.motion.pieces.empty()) {
+      PieceList own = PieceList::between(given.motion, start_, end_, exponent_);
+      if (!own.rests()) body.own = std::move(own);
+    }
     bodies_.push_back(std::move(body));
   }
   find_parents(scene);
