@@ -1,5 +1,8 @@
 #include "attended.hpp"
 
+#include <future>
+#include <utility>
+
 namespace py = pybind11;
 
 namespace taut_python {
@@ -9,8 +12,8 @@ thread_local bool working = false, handling = false;
 
 /// Handlers of signals run on the main thread only: others need not take the interpreter's lock to look.
 bool is_main_thread() {
-  const py::module_ threading = py::module_::import("threading");
-  return threading.attr("current_thread")().is(threading.attr("main_thread")());
+  const py::object main = py::module_::import("threading").attr("main_thread")();
+  return main.attr("ident").cast<unsigned long>() == PyThread_get_thread_ident();
 }
 
 /// What the work throws; null if it throws nothing.
@@ -33,14 +36,22 @@ std::exception_ptr run_here(SignalWatch& signals, const std::function<void()>& w
   return error;
 }
 
+/// On a thread of its own.
+std::exception_ptr run_aside(SignalWatch& signals, const std::function<void()>& work) {
+  std::future<std::exception_ptr> error = std::async(std::launch::async, [&] { return error_of(work); });
+  while (error.wait_for(signal_period) != std::future_status::ready) signals.look();
+  return error.get();
+}
+
 }  // namespace
 
 void SignalWatch::look() {
   if (over_ || Clock::now() < next_) return;
   const py::gil_scoped_acquire acquired;
-  handling = true;
-  raised_ = PyErr_CheckSignals() != 0;
-  handling = false;
+  const bool before = std::exchange(handling, true);
+  // Taken out of the interpreter at once: callbacks may follow before the work stops.
+  if (PyErr_CheckSignals() != 0) raised_ = std::make_exception_ptr(py::error_already_set());
+  handling = before;
   over_ = raised_ || !is_main_thread();
   if (raised_) stop_ = true;
   next_ = Clock::now() + signal_period;
@@ -61,15 +72,11 @@ void run_watched(std::atomic<bool>& stop, const std::function<void()>& work) {
   std::exception_ptr error;
   {
     const py::gil_scoped_release released;
-    if (working) {
-      // A handler of signals or a callback asks a question, in the middle of another one: what that thread keeps for
-      // its work, limits among it, is none of this work's.
-      std::thread([&] { error = error_of(work); }).join();
-    } else {
-      error = run_here(signals, work);
-    }
+    // A handler of signals or a callback may ask a question in the middle of another one: what this thread keeps for
+    // that one, limits among it, is none of the new one's.
+    error = working ? run_aside(signals, work) : run_here(signals, work);
   }
-  if (signals.raised()) throw py::error_already_set();
+  if (signals.raised()) std::rethrow_exception(signals.raised());
   if (error) std::rethrow_exception(error);
 }
 

@@ -8,7 +8,6 @@
 #include <exception>
 #include <functional>
 #include <optional>
-#include <thread>
 #include <utility>
 
 #include "numeric/budget.hpp"
@@ -25,15 +24,16 @@ class SignalWatch {
 
   /// Called without the interpreter's lock.
   void look();
-  /// Did a handler raise an exception? It is then set.
-  bool raised() const { return raised_; }
+  /// What a handler has raised; null if nothing. Handed over with the interpreter's lock.
+  const std::exception_ptr& raised() const { return raised_; }
 
  private:
   using Clock = std::chrono::steady_clock;
 
   std::atomic<bool>& stop_;
   Clock::time_point next_ = Clock::now() + signal_period;
-  bool over_ = false, raised_ = false;
+  bool over_ = false;
+  std::exception_ptr raised_;
 };
 
 /// For a thread that waits for others within attended(): looks for signals, as it does while it works.

@@ -16,6 +16,9 @@ if TYPE_CHECKING:
 _Read = TypeVar("_Read", bound="ReadLater")
 
 
+_beginning = '{"outcome":"'
+
+
 class ReadLater:
     """Has its members from its ``json``, which is read when the first one is asked for: who only wants to know whether
     bodies collide does not wait for the rest. Members with a default of None have it from a factory, since one of the
@@ -34,7 +37,11 @@ class ReadLater:
             members = self.__dict__
             read = members.get("_read")
             if read is not None and not name.startswith("__"):
-                members.update(read(members["json"]))
+                text = members["json"]
+                # Mostly the first member and the only one that is looked at.
+                if name == "outcome" and text.startswith(_beginning):
+                    return text[len(_beginning):text.index('"', len(_beginning))]
+                members.update(read(text))
                 # Last: another thread may read the same.
                 members.pop("_read", None)
             if name in members:

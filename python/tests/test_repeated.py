@@ -88,7 +88,9 @@ def test_scenes_and_answers_can_be_copied(make):
 def test_members_are_read_when_they_are_asked_for():
     answer = taut2d.check(DROP)
     assert "outcome" not in vars(answer)
-    assert answer.outcome == "contact" and answer.geometry is None and "contact" in vars(answer)
+    assert answer.outcome == "contact" and "contact" not in vars(answer)
+    assert answer.geometry is None and vars(answer)["outcome"] == answer.outcome == "contact"
+    assert taut2d.check(dataclasses.replace(DROP, id='{"outcome":"free"')).outcome == "contact"
     assert answer == taut2d.check(DROP) and repr(answer) == repr(taut2d.check(DROP))
     for fresh in (answer, taut2d.check(DROP), taut2d.clearance(DROP), taut2d.intervals(DROP)):
         assert not hasattr(fresh, "outcom")
@@ -134,6 +136,21 @@ taut2d.check(scene)
 """
     printed, errors = interrupt(program)
     assert printed == "free\n" and errors.rstrip().endswith("KeyboardInterrupt")
+
+
+def test_control_c_ends_what_a_handler_of_signals_asks(interrupt):
+    program = LONG + """
+import signal
+def handler(*_):
+    signal.setitimer(signal.ITIMER_REAL, 0)
+    taut2d.check(scene)
+signal.signal(signal.SIGALRM, handler)
+signal.setitimer(signal.ITIMER_REAL, 0.2)
+print("begun", flush=True)
+taut2d.check(scene)
+"""
+    _, errors = interrupt(program)
+    assert ", in handler\n" in errors and errors.rstrip().endswith("KeyboardInterrupt")
 
 
 def test_a_handler_of_signals_leaves_a_simulation_in_work_alone(interrupt):
