@@ -7,8 +7,8 @@
 
 namespace taut::cli {
 
-/// The body of that name; for an empty name the only one that moves, or the only one. Throws InputError, which names the
-/// bodies there are.
+/// The body of that name; for an empty name the only one that moves, or the only one. Throws InputError, which names
+/// the bodies there are.
 BodyId chosen_body(const Scene& scene, const std::string& name);
 
 }  // namespace taut::cli

@@ -38,27 +38,14 @@ struct NamedCommand {
 };
 
 /// In the order in which `taut --help` lists them, after demo.
-inline constexpr NamedCommand commands[] = {{"check", add_check},
-                                            {"clearance", add_clearance},
-                                            {"intervals", add_intervals},
-                                            {"range", add_range},
-                                            {"prove", add_prove},
-                                            {"verify", add_verify},
-                                            {"draw", add_draw},
-                                            {"view", add_view},
-                                            {"trace", add_trace},
-                                            {"separate", add_separate},
-                                            {"mechanism", add_mechanism},
-                                            {"envelope", add_envelope},
-                                            {"path", add_path},
-                                            {"separator", add_separator},
-                                            {"cells", add_cells},
-                                            {"swept", add_swept},
-                                            {"flatten", add_flatten},
-                                            {"gen", add_gen},
-                                            {"import", add_import},
-                                            {"schema", add_schema},
-                                            {"completion", add_completion, true},
-                                            {"man", add_man, true}};
+inline constexpr NamedCommand commands[] = {
+    {"check", add_check},       {"clearance", add_clearance}, {"intervals", add_intervals},
+    {"range", add_range},       {"prove", add_prove},         {"verify", add_verify},
+    {"draw", add_draw},         {"view", add_view},           {"trace", add_trace},
+    {"separate", add_separate}, {"mechanism", add_mechanism}, {"envelope", add_envelope},
+    {"path", add_path},         {"separator", add_separator}, {"cells", add_cells},
+    {"swept", add_swept},       {"flatten", add_flatten},     {"gen", add_gen},
+    {"import", add_import},     {"schema", add_schema},       {"completion", add_completion, true},
+    {"man", add_man, true}};
 
 }  // namespace taut::cli

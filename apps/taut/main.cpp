@@ -17,7 +17,8 @@
 namespace {
 
 const char* const examples =
-    "Example: taut demo lid && taut check lid.json. More: taut COMMAND --help; taut schema; taut completion bash|zsh|fish; taut "
+    "Example: taut demo lid && taut check lid.json. More: taut COMMAND --help; taut schema; taut completion "
+    "bash|zsh|fish; taut "
     "man\n"
     "Exit codes: 0 free, 1 contact or overlap at the start, 2 bad input or nothing tested, 3 undecided, 4 internal "
     "error.\n";

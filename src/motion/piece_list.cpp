@@ -149,8 +149,8 @@ std::optional<PieceList::Rates> PieceList::last_rates(double end) const {
   Rates rates{k > 0 ? until(k - 1) : -std::numeric_limits<double>::infinity(), 0, 0};
   if (angle && place.a == 2) rates.turn = packed_->numbers[place.first + place.x + place.y + 1];
   // The orbit's angle comes last, before its centre.
-  const std::size_t before_orbit = place.first + place.x + place.y + place.a + place.b + (place.pivot ? 2u : 0u) +
-                                   (place.origin ? 1u : 0u);
+  const std::size_t before_orbit =
+      place.first + place.x + place.y + place.a + place.b + (place.pivot ? 2u : 0u) + (place.origin ? 1u : 0u);
   if (place.orbit == 2) rates.orbit = packed_->numbers[before_orbit + 1];
   return rates;
 }

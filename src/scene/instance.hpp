@@ -30,7 +30,8 @@ struct InstanceBody {
   int parent = -1;
 };
 
-/// The motions of a body's parents, the outermost first, and its own, in the scene's coordinates; the scene must be valid.
+/// The motions of a body's parents, the outermost first, and its own, in the scene's coordinates; the scene must be
+/// valid.
 MotionChain chain_of(const Scene& scene, const Body& body);
 
 /// All bodies in one scale, their groups, and which pairs are asked about.

@@ -27,9 +27,9 @@ struct ClearanceTolerance {
   double least(double distance) const { return distance * (1 - relative) - absolute; }
 };
 
-/// Lowers `best` to the least distance of the two bodies along the segments, up to `until`, where that is less. Afterwards, no
-/// distance is less than the smaller one of tolerance.least(best.distance) and best.unresolved. The bodies must not
-/// touch at any time.
+/// Lowers `best` to the least distance of the two bodies along the segments, up to `until`, where that is less.
+/// Afterwards, no distance is less than the smaller one of tolerance.least(best.distance) and best.unresolved. The
+/// bodies must not touch at any time.
 void find_nearest(const PairGeometry& geometry, const TreePair& trees, const MotionSegments& segments, double until,
                   const ClearanceTolerance& tolerance, Nearest& best);
 /// Like find_nearest() for from <= t <= to, an instant if they are equal. Jumps at joints are omitted; they are
