@@ -1,0 +1,204 @@
+(** The checker: a function from a scene and a log to a verdict. Soundness.v proves what [true] means. *)
+
+From Coq Require Import ZArith List Bool PeanoNat.
+From Taut Require Import Definitions Numbers Models Functions Placement.
+Import ListNotations.
+
+(** * Logs *)
+
+(** How two ranges of edges are separated throughout a window: by a direction, with a level between them (a polynomial in the
+    time from the window's middle); or halves of the first or of the second range are. *)
+Inductive separation :=
+| Line (direction : number * number) (level : list number)
+| FirstHalves (s1 s2 : separation)
+| SecondHalves (s1 s2 : separation).
+
+Record window := Window { opens : number; closes : number; how : separation }.
+
+(** Windows of each tested pair, in the order of the smaller, then the larger index. *)
+Record log := Log { proved_until : number; pairs : list ((nat * nat) * list window) }.
+
+(** * Separations *)
+
+Definition vertex := (number * number)%type.
+Definition positive (r : number) (M : model) : bool := below (slack M) (lower r (poly_of M)).
+
+(** Along a direction: the place of a vertex (x, y) is [base] + x [per_x] + y [per_y]. *)
+Record projection := Projection { base : model; per_x : model; per_y : model }.
+Definition project (r : number) (n : number * number) (P : placement) : projection :=
+  Projection (madd (mscale (fst n) (ox P)) (mscale (snd n) (oy P)))
+             (madd (mscale (fst n) (co P)) (mscale (snd n) (si P)))
+             (msub (mscale (snd n) (co P)) (mscale (fst n) (si P))).
+Definition along_direction (J : projection) (v : vertex) : model :=
+  madd (base J) (madd (mscale (fst v) (per_x J)) (mscale (snd v) (per_y J))).
+
+Definition ends (test : vertex -> bool) (l : list (vertex * vertex)) : bool := forallb (fun e => test (fst e) && test (snd e)) l.
+
+Definition halves {A} (l : list A) : list A * list A :=
+  let n := Nat.div2 (length l) in (firstn n l, skipn n l).
+
+Fixpoint separated (r : number) (P Q : placement) (E F : list (vertex * vertex)) (s : separation) : bool :=
+  match s with
+  | Line n level =>
+      let M := Model level zero in
+      let JP := project r n P in let JQ := project r n Q in
+      ends (fun v => positive r (msub M (along_direction JP v))) E && ends (fun v => positive r (msub (along_direction JQ v) M)) F
+  | FirstHalves s1 s2 => let (E1, E2) := halves E in separated r P Q E1 F s1 && separated r P Q E2 F s2
+  | SecondHalves s1 s2 => let (F1, F2) := halves F in separated r P Q E F1 s1 && separated r P Q E F2 s2
+  end.
+
+(** * A point of each ring outside of the other body, in the middle of the window *)
+
+Definition spot := (model * model)%type.
+Definition place_vertex (P : placement) (v : vertex) : spot :=
+  (madd (ox P) (msub (mscale (fst v) (co P)) (mscale (snd v) (si P))),
+   madd (oy P) (madd (mscale (fst v) (si P)) (mscale (snd v) (co P)))).
+
+Definition sign (M : model) : option bool :=
+  if positive zero M then Some true else if positive zero (mneg M) then Some false else None.
+
+(** Whether the ray from w to the right crosses the edge from u to v, where that is certain. *)
+Definition crosses_spot (w u v : spot) : option bool :=
+  let uy := msub (snd u) (snd w) in let vy := msub (snd v) (snd w) in
+  match sign uy, sign vy with
+  | Some a, Some b =>
+      if Bool.eqb a b then Some false
+      else
+        let ux := msub (fst u) (fst w) in let vx := msub (fst v) (fst w) in
+        match sign (msub (mmul zero ux vy) (mmul zero vx uy)) with
+        | Some c => Some (Bool.eqb b c)
+        | None => None
+        end
+  | _, _ => None
+  end.
+
+Fixpoint odd_spot (w : spot) (l : list (spot * spot)) : option bool :=
+  match l with
+  | [] => Some false
+  | e :: l => match crosses_spot w (fst e) (snd e), odd_spot w l with
+              | Some c, Some o => Some (xorb c o)
+              | _, _ => None
+              end
+  end.
+
+(** Points of an edge that are tried: neither of them is likely to be at the height of a vertex. *)
+Definition fractions : list number := [Number 391 (-10); Number 633 (-10)].
+Definition spot_between (k : number) (u v : spot) : spot :=
+  (madd (fst u) (mscale k (msub (fst v) (fst u))), madd (snd u) (mscale k (msub (snd v) (snd u)))).
+
+(** The model at h = 0 alone. *)
+Definition at_middle (M : model) : model := Model (firstn 1 (poly_of M)) (slack M).
+Definition middle_of (P : placement) : placement :=
+  Placement (at_middle (ox P)) (at_middle (oy P)) (at_middle (co P)) (at_middle (si P)).
+
+Definition spots (P : placement) (e : vertex * vertex) : spot * spot := (place_vertex P (fst e), place_vertex P (snd e)).
+
+Definition ring_outside (P : placement) (r : list vertex) (others : list (list (spot * spot))) : bool :=
+  match r with
+  | [] => true
+  | _ => forallb (fun other =>
+           existsb (fun e => let (u, v) := spots P e in
+             existsb (fun k => match odd_spot (spot_between k u v) other with Some false => true | _ => false end) fractions)
+             (edges r)) others
+  end.
+
+Definition all_edges_of (p : list (list vertex)) : list (vertex * vertex) := flat_map edges p.
+
+Definition outside (P Q : placement) (s t : list (list (list vertex))) : bool :=
+  let others := map (fun q => map (spots Q) (all_edges_of q)) t in
+  forallb (fun p => forallb (fun r => ring_outside P r others) p) s.
+
+(** * Windows *)
+
+Definition is_line (s : separation) : bool := match s with Line _ _ => true | _ => false end.
+Definition edges_of (b : body) : list (vertex * vertex) := flat_map all_edges_of (shape b).
+
+(** Whether two chains and shapes are apart throughout a window; and whether its pieces hold at its end, too. *)
+Definition check_window (ca cb : list motion) (a b : body) (ea eb : list (vertex * vertex)) (w : window) : option bool :=
+  let middle := half (add (opens w) (closes w)) in
+  let r := half (sub (closes w) (opens w)) in
+  if at_most zero r then
+    match chain_model (opens w) (closes w) middle r ca, chain_model (opens w) (closes w) middle r cb with
+    | Some (P, closed), Some (Q, closed') =>
+        if separated r P Q ea eb (how w) &&
+           (is_line (how w) ||
+            (let P0 := middle_of P in let Q0 := middle_of Q in
+             outside P0 Q0 (shape a) (shape b) && outside Q0 P0 (shape b) (shape a)))
+        then Some (closed && closed') else None
+    | _, _ => None
+    end
+  else None.
+
+(** Windows without a gap, from a time to another one. *)
+Fixpoint check_windows (check : window -> option bool) (time stop : number) (l : list window) : bool :=
+  match l with
+  | [] => false
+  | w :: rest =>
+      at_most (opens w) time &&
+      match check w with
+      | None => false
+      | Some closed => (at_most stop (closes w) && (closed || below stop (closes w))) || check_windows check (closes w) stop rest
+      end
+  end.
+
+(** * Pairs *)
+
+Definition number_eq (a b : number) : {a = b} + {a <> b}.
+Proof. decide equality; apply Z.eq_dec. Defined.
+Definition rotation_eq (a b : rotation) : {a = b} + {a <> b}.
+Proof. decide equality; apply (list_eq_dec number_eq). Defined.
+Definition pair_eq {A B} (ea : forall a b : A, {a = b} + {a <> b}) (eb : forall a b : B, {a = b} + {a <> b}) (p q : A * B) :
+  {p = q} + {p <> q}.
+Proof. decide equality. Defined.
+Definition piece_eq (a b : piece) : {a = b} + {a <> b}.
+Proof.
+  pose proof number_eq. pose proof (list_eq_dec number_eq). pose proof (pair_eq number_eq number_eq).
+  decide equality; [decide equality|apply rotation_eq|]; apply pair_eq; auto.
+Defined.
+Definition motion_eq : forall a b : motion, {a = b} + {a <> b} := list_eq_dec piece_eq.
+Definition chain_eq : forall a b : list motion, {a = b} + {a <> b} := list_eq_dec motion_eq.
+
+(** What two chains do not have in common: seen from their last common ancestor. *)
+Fixpoint without_common (c d : list motion) : list motion * list motion :=
+  match c, d with
+  | m :: c', n :: d' => if regular m then (if motion_eq m n then without_common c' d' else (c, d)) else (c, d)
+  | _, _ => (c, d)
+  end.
+
+Definition is_pair (i j : nat) (p : nat * nat) : bool := Nat.eqb (fst p) i && Nat.eqb (snd p) j.
+Definition is_tested (s : scene) (i j : nat) (a b : body) : bool :=
+  negb (existsb (fun p => is_pair i j p || is_pair j i p) (ignored s)) &&
+  (at_rest s || (if chain_eq (chain a) (chain b) then false else true)).
+
+Definition numbered := (nat * (body * list (vertex * vertex)))%type.
+
+(** Takes the windows of one pair from the log. *)
+Definition check_pair (s : scene) (stop : number) (x y : numbered) (l : list ((nat * nat) * list window)) :
+  option (list ((nat * nat) * list window)) :=
+  let (i, p) := x in let (a, ea) := p in
+  let (j, q) := y in let (b, eb) := q in
+  if is_tested s i j a b then
+    match l with
+    | [] => None
+    | (ij, windows) :: rest =>
+        let (ca, cb) := without_common (chain a) (chain b) in
+        if is_pair i j ij && check_windows (check_window ca cb a b ea eb) (start s) stop windows then Some rest else None
+    end
+  else Some l.
+
+Fixpoint check_row (s : scene) (stop : number) (x : numbered) (ys : list numbered) (l : list ((nat * nat) * list window)) :=
+  match ys with
+  | [] => Some l
+  | y :: ys => match check_pair s stop x y l with None => None | Some l => check_row s stop x ys l end
+  end.
+Fixpoint check_rows (s : scene) (stop : number) (xs : list numbered) (l : list ((nat * nat) * list window)) :=
+  match xs with
+  | [] => Some l
+  | x :: xs => match check_row s stop x xs l with None => None | Some l => check_rows s stop xs l end
+  end.
+
+Fixpoint number_bodies (i : nat) (l : list body) : list numbered :=
+  match l with [] => [] | b :: l => (i, (b, edges_of b)) :: number_bodies (S i) l end.
+
+Definition check (s : scene) (l : log) : bool :=
+  match check_rows s (proved_until l) (number_bodies 0 (bodies s)) (pairs l) with Some [] => true | _ => false end.

@@ -1,0 +1,2 @@
+(* The integers of zarith, whose name the extracted program takes for itself. *)
+module Z = Z

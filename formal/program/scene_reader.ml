@@ -1,0 +1,242 @@
+(* Scenes of the format taut-scene/1 (docs/scenes.md), for the checker. What it does not cover is refused, by name. *)
+open Taut_check
+open Exact
+
+exception Not_covered of string
+let not_covered what = raise (Not_covered what)
+
+let number where v = Numbers.of_float (Json.float where v)
+let numbers where v = List.map (number where) (Json.list where v)
+let point where v =
+  let x, y = Json.pair where v in
+  (number where x, number where y)
+
+(* Shapes *)
+
+let ring where v = List.map (point where) (Json.list where v)
+
+(* One polygon: its parts, as lists of rings. *)
+let rec polygon where v =
+  match v with
+  | Json.List _ -> [ ring where v ]
+  | Json.Object m ->
+      List.iter (fun key -> if Json.find m key <> None then not_covered (where ^ ": a polygon as \"" ^ key ^ "\""))
+        [ "path"; "wkt"; "geojson"; "z" ];
+      let m = Json.members where [ "outline"; "holes" ] v in
+      let holes = match Json.find m "holes" with None -> [] | Some h -> List.map (ring where) (Json.list where h) in
+      ring where (Json.get where m "outline") :: holes
+  | _ -> Json.error where "expected a polygon"
+
+and shape where m =
+  match (Json.find m "polygon", Json.find m "parts") with
+  | Some p, None -> [ polygon where p ]
+  | None, Some parts -> List.map (polygon where) (Json.list where parts)
+  | _ -> Json.error where "expected either \"polygon\" or \"parts\""
+
+(* Motions *)
+
+let zero = Numbers.zero
+let is_zero a = Z.equal a.mantissa Z.zero
+
+(* A pivot matters only where something turns. *)
+let piece ?(until = zero) ?(origin = zero) ?(turn = Fixed) ?(pivot = (zero, zero)) ?orbit x y =
+  let pivot = if turn = Fixed && orbit = None then (zero, zero) else pivot in
+  { until; origin; shift = (x, y); turn; pivot; orbit }
+
+let rotation where v =
+  match v with
+  | Json.Null -> Fixed
+  | Json.Object [ ("angle", a) ] -> Angle (numbers where a)
+  | Json.Object [ ("half_angle_tangent", s) ] -> HalfAngleTangent (numbers where s)
+  | Json.Object [ ("direction", d) ] ->
+      let m = Json.members where [ "a"; "b" ] d in
+      Direction (numbers where (Json.get where m "a"), numbers where (Json.get where m "b"))
+  | Json.Object [ ("cosine", _) ] -> not_covered (where ^ ": a rotation by a cosine")
+  | _ -> Json.error where "unknown rotation"
+
+let piece_keys = [ "x"; "y"; "rotation"; "until"; "pivot"; "origin"; "orbit" ]
+let optional m key read default = match Json.find m key with None -> default | Some v -> read v
+
+let read_piece where v =
+  let m = Json.members where piece_keys v in
+  let orbit = optional m "orbit" (fun o ->
+    let o = Json.members where [ "center"; "angle" ] o in
+    Some (point where (Json.get where o "center"), numbers where (Json.get where o "angle"))) None in
+  piece ~until:(optional m "until" (number where) zero) ~origin:(optional m "origin" (number where) zero)
+    ~turn:(optional m "rotation" (rotation where) Fixed) ~pivot:(optional m "pivot" (point where) (zero, zero)) ?orbit
+    (optional m "x" (numbers where) []) (optional m "y" (numbers where) [])
+
+let rounded q = Numbers.nearest_double q
+let rational = Numbers.to_rational
+let constant a = if is_zero a then [] else [ a ]
+
+(* The line through (t0, a) and (t1, b), times a factor, in powers of the time since t0. *)
+let line t0 a t1 b factor =
+  let product = Q.mul (rational a) factor in
+  if a = b then constant (rounded product)
+  else
+    let slope = Q.div (Q.sub (rational b) (rational a)) (Q.sub (rational t1) (rational t0)) in
+    [ rounded product; rounded (Q.mul slope factor) ]
+
+(* Held at an angle in degrees: quarter turns are exact. *)
+let held degrees =
+  let q = Q.div (rational degrees) (Q.of_int 90) in
+  if Z.equal (Q.den q) Z.one then
+    match Z.to_int (Z.erem (Q.num q) (Z.of_int 4)) with
+    | 0 -> Fixed
+    | k ->
+        let c, s = List.nth [ (1, 0); (0, 1); (-1, 0); (0, -1) ] k in
+        Direction ([ Numbers.of_int c ], [ Numbers.of_int s ])
+  else Angle [ rounded (Q.mul (rational degrees) Numbers.radians_per_degree) ]
+
+type keyframe = { t : number; x : number; y : number; degrees : number }
+
+let keyframe where v =
+  (match v with
+   | Json.Object m when Json.find m "turn" <> None || Json.find m "arc" <> None ->
+       not_covered (where ^ ": a keyframe around a centre")
+   | _ -> ());
+  let m = Json.members where [ "t"; "x"; "y"; "angle_deg" ] v in
+  let one key = optional m key (number where) zero in
+  ( { t = number where (Json.get where m "t"); x = one "x"; y = one "y"; degrees = one "angle_deg" },
+    List.map (fun key -> Json.find m key <> None) [ "x"; "y"; "angle_deg" ] )
+
+let from_keyframes where pivot frames =
+  let frames, given = List.split frames in
+  let rec check = function
+    | a :: (b :: _ as rest) ->
+        if Q.lt (rational a.t) (rational b.t) then check rest else Json.error where "keyframes are not in order of time"
+    | _ -> () in
+  check frames;
+  (match given with
+   | [] -> Json.error where "there are no keyframes"
+   | first :: rest -> if List.exists (fun g -> g <> first) rest then Json.error where "keyframes have different keys");
+  let rest until k = piece ~until ~turn:(held k.degrees) ~pivot (constant k.x) (constant k.y) in
+  let rec between = function
+    | a :: (b :: _ as frames) ->
+        let x = line a.t a.x b.t b.x Q.one and y = line a.t a.y b.t b.y Q.one in
+        let turn = if a.degrees = b.degrees then held a.degrees
+          else Angle (line a.t a.degrees b.t b.degrees Numbers.radians_per_degree) in
+        let varies = List.length x > 1 || List.length y > 1 || (match turn with Angle (_ :: _ :: _) -> true | _ -> false) in
+        piece ~until:b.t ~origin:(if varies then a.t else zero) ~turn ~pivot x y :: between frames
+    | [ last ] -> [ rest zero last ]
+    | [] -> [] in
+  match frames with [ only ] -> [ rest zero only ] | first :: _ -> rest first.t first :: between frames | [] -> []
+
+let from_velocity where m =
+  let vx, vy = optional m "velocity" (point where) (zero, zero) in
+  let spin = optional m "spin_deg" (number where) zero in
+  let coefficients v = if is_zero v then [] else [ zero; v ] in
+  let turn = if is_zero spin then Fixed
+    else Angle [ zero; rounded (Q.mul (rational spin) Numbers.radians_per_degree) ] in
+  [ piece ~turn ~pivot:(optional m "pivot" (point where) (zero, zero)) (coefficients vx) (coefficients vy) ]
+
+let from_sweep where start stop v =
+  let m = Json.members where [ "pivot"; "from_deg"; "to_deg" ] v in
+  if not (Q.lt (rational start) (rational stop)) then Json.error where "a sweep, and the time has no length";
+  let angle key = number where (Json.get where m key) in
+  [ piece ~origin:start ~pivot:(optional m "pivot" (point where) (zero, zero))
+      ~turn:(Angle (line start (angle "from_deg") stop (angle "to_deg") Numbers.radians_per_degree)) [] [] ]
+
+let rec ascending where = function
+  | a :: (_ :: rest_of as rest) ->
+      (match rest_of with
+       | _ :: _ ->
+           let b = List.hd rest in
+           if not (Q.lt (rational a.until) (rational b.until)) then Json.error where "pieces are not in order of time"
+       | [] -> ());
+      ascending where rest
+  | _ -> ()
+
+let read_motion where start stop v =
+  match v with
+  | Json.Null -> []
+  | Json.List pieces ->
+      let n = List.length pieces in
+      if n = 0 then Json.error where "no pieces";
+      let motion = List.mapi (fun i p ->
+        (match p with
+         | Json.Object m when i + 1 < n && Json.find m "until" = None -> Json.error where "a piece without \"until\""
+         | _ -> ());
+        read_piece where p) pieces in
+      ascending where motion; motion
+  | Json.Object m ->
+      let has key = Json.find m key <> None in
+      if has "csv" then not_covered (where ^ ": keyframes from a file");
+      if has "keyframes" then
+        let m = Json.members where [ "keyframes"; "pivot" ] v in
+        from_keyframes where (optional m "pivot" (point where) (zero, zero))
+          (List.map (keyframe where) (Json.list where (Json.get where m "keyframes")))
+      else if has "sweep" then from_sweep where start stop (Json.get where (Json.members where [ "sweep" ] v) "sweep")
+      else if has "velocity" || has "spin_deg" then from_velocity where (Json.members where [ "velocity"; "spin_deg"; "pivot" ] v)
+      else [ read_piece where v ]
+  | _ -> Json.error where "expected a motion"
+
+let rests motion = List.for_all (fun p -> p.shift = ([], []) && p.turn = Fixed && p.orbit = None) motion
+
+(* Scenes *)
+
+type named = { name : string; parent : string option; own : piece list; parts : (number * number) list list list }
+
+let read_body start stop i v =
+  let where = Printf.sprintf "bodies[%d]" i in
+  (match v with
+   | Json.Object m when Json.find m "z" <> None -> not_covered (where ^ ": layers")
+   | _ -> ());
+  let m = Json.members where [ "name"; "polygon"; "parts"; "motion"; "relative_to"; "id" ] v in
+  { name = Json.string where (Json.get where m "name");
+    parent = optional m "relative_to" (fun v -> Some (Json.string where v)) None;
+    own = optional m "motion" (read_motion where start stop) [];
+    parts = shape where m }
+
+(* From the outermost parent down, without motions that rest. *)
+let chain bodies body =
+  let rec go depth body below =
+    if depth > 16 then Json.error body.name "a chain of parents without an end";
+    let below = if rests body.own then below else body.own :: below in
+    match body.parent with
+    | None -> below
+    | Some name ->
+        (match List.find_opt (fun b -> b.name = name) bodies with
+         | None -> Json.error body.name ("no body is called \"" ^ name ^ "\"")
+         | Some parent -> go (depth + 1) parent below) in
+  go 1 body []
+
+let read text =
+  let v = Json.parse text in
+  (match v with
+   | Json.Object m ->
+       List.iter (fun (key, what) -> if Json.find m key <> None then not_covered what)
+         [ ("joints", "joints instead of a time"); ("mechanism", "a mechanism") ]
+   | _ -> ());
+  let m = Json.members "scene" [ "format"; "time"; "bodies"; "ignore"; "at_rest"; "id"; "$schema" ] v in
+  if Json.get "scene" m "format" <> Json.String "taut-scene/1" then Json.error "format" "expected \"taut-scene/1\"";
+  let start, stop = point "time" (Json.get "scene" m "time") in
+  let bodies = List.mapi (read_body start stop) (Json.list "bodies" (Json.get "scene" m "bodies")) in
+  let names = List.map (fun b -> b.name) bodies in
+  if List.length (List.sort_uniq compare names) < List.length names then Json.error "bodies" "two bodies have one name";
+  let index name =
+    let rec go i = function [] -> Json.error "ignore" ("no body is called \"" ^ name ^ "\"") | n :: l -> if n = name then i else go (i + 1) l in
+    go 0 names in
+  let pairs = optional m "ignore" (Json.list "ignore") [] in
+  let everything = List.init (List.length bodies) Fun.id in
+  let alone = ref [] in
+  let ignored = List.concat_map (fun p ->
+    match Json.pair "ignore" p with
+    | Json.String "*", Json.String "*" -> alone := everything; List.concat_map (fun i -> List.map (fun j -> (i, j)) everything) everything
+    | Json.String "*", Json.String a | Json.String a, Json.String "*" ->
+        alone := index a :: !alone;
+        List.map (fun j -> (index a, j)) everything
+    | Json.String a, Json.String b -> [ (index a, index b) ]
+    | _ -> Json.error "ignore" "expected names") pairs in
+  let chains = List.map (chain bodies) bodies in
+  (* If nothing moves against anything else, of what is not ignored altogether, all pairs are tested. *)
+  let others = List.filteri (fun i _ -> not (List.mem i !alone)) chains in
+  let alike = match others with [] -> true | c :: rest -> List.for_all (fun d -> d = c) rest in
+  let at_rest =
+    match Json.find m "at_rest" with
+    | None | Some (Json.String "skip") -> alike
+    | Some (Json.String "test") -> true
+    | _ -> Json.error "at_rest" "expected \"test\" or \"skip\"" in
+  ( { start; stop; bodies = List.map2 (fun chain b -> { chain; shape = b.parts }) chains bodies; ignored; at_rest },
+    Array.of_list names )
