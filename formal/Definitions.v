@@ -55,7 +55,8 @@ Inductive rotation :=
 | Fixed                                    (* no rotation *)
 | Angle (a : list number)                  (* by a(x), in radians *)
 | HalfAngleTangent (s : list number)       (* by 2 arctan s(x) *)
-| Direction (a b : list number).           (* (1, 0) turns into the direction of (a(x), b(x)) *)
+| Direction (a b : list number)            (* (1, 0) turns into the direction of (a(x), b(x)) *)
+| Cosine (a : list number).                (* by an angle from 0 to pi, whose cosine is a(x), or 1 or -1 beyond these *)
 
 Definition cos_sin (r : rotation) (x : R) : R * R :=
   match r with
@@ -63,6 +64,7 @@ Definition cos_sin (r : rotation) (x : R) : R * R :=
   | Angle a => (cos (eval a x), sin (eval a x))
   | HalfAngleTangent p => let s := eval p x in ((1 - s * s) / (1 + s * s), 2 * s / (1 + s * s))
   | Direction a b => let n := sqrt (eval a x * eval a x + eval b x * eval b x) in (eval a x / n, eval b x / n)
+  | Cosine a => let c := Rmax (-1) (Rmin 1 (eval a x)) in (c, sqrt (1 - c * c))
   end.
 
 (** A piece of a motion, up to the time [until]; its polynomials are in x = t - [origin]. *)

@@ -85,6 +85,27 @@ Definition certified_root (r : number) (X : model) (g : poly) : option model :=
   else None.
 Definition reciprocal_root (r : number) (X : model) : option model := certified_root r X (guess_root r X).
 
+(** Cut off at 1 and -1. *)
+Definition clamp (x : R) : R := Rmax (-1) (Rmin 1 x).
+Definition clamp_model (r : number) (X : model) : model :=
+  let d := msub (constant one) (mmul r X X) in
+  if below (slack d) (lower r (poly_of d)) then X
+  else let e := sub (bound r X) one in if below zero e then widen e X else X.
+
+(** Not less than the root of a number. *)
+Definition root_above (a : number) : number :=
+  let e := Z.div (exponent a) 2 in
+  Number (Z.sqrt (Z.shiftl (Z.max 0 (mantissa a)) (exponent a - 2 * e + 64)) + 1) (e - 32).
+(** sqrt f where f >= 0: smooth where f is clear of 0, else between 0 and the root of a bound. *)
+Definition root_model (r : number) (X : model) : option model :=
+  match reciprocal_root r X with
+  | Some i => Some (mmul r X i)
+  | None =>
+      let b := round_up (bound r X) in
+      let s := root_above b in
+      if at_most zero s && at_most b (mul s s) then Some (Model [half s] (half s)) else None
+  end.
+
 (** * Correctness *)
 
 Lemma near_widen r f g M e : near r f M -> (forall h, Rabs h <= value r -> Rabs (g h - f h) <= value e) -> near r g (widen e M).
@@ -313,5 +334,48 @@ Section Correctness.
     rewrite Rabs_mult, (Rabs_right ix) by lra. pose proof (Rabs_pos (1 - x * y)).
     assert (ix * Rabs (1 - x * y) <= 2 * y * e) by (apply Rmult_le_compat; lra). assert (0 <= e) by lra.
     assert (e * y <= e * value (norm r g)) by (apply Rmult_le_compat_l; auto). lra.
+  Qed.
+
+  Lemma clamp_inside x : -1 <= x <= 1 -> clamp x = x.
+  Proof. intros H. unfold clamp. rewrite Rmin_right, Rmax_right; lra. Qed.
+  Lemma clamp_range x : -1 <= clamp x <= 1.
+  Proof. unfold clamp, Rmax, Rmin. destruct (Rle_dec 1 x); destruct (Rle_dec (-1) _); lra. Qed.
+  Lemma clamp_distance x b : Rabs x <= 1 + b -> 0 <= b -> Rabs (clamp x - x) <= b.
+  Proof. unfold clamp, Rmax, Rmin. destruct (Rle_dec 1 x); destruct (Rle_dec (-1) _); split_Rabs; lra. Qed.
+
+  Lemma near_clamp f X : near r f X -> near r (fun h => clamp (f h)) (clamp_model r X).
+  Proof.
+    intros F. unfold clamp_model. set (D := msub (constant one) (mmul r X X)).
+    assert (N : near r (fun h => 1 - f h * f h) D) by (apply near_msub; [apply one_near|apply near_mmul; auto]).
+    clearbody D. destruct (below (slack D) (lower r (poly_of D))) eqn:B.
+    - apply below_correct in B. intros h H. rewrite clamp_inside; auto.
+      specialize (N h H). cbv beta in N. pose proof (lower_correct r (poly_of D) h R H).
+      assert (0 < 1 - f h * f h) by (split_Rabs; lra). nra.
+    - destruct (below zero (sub (bound r X) one)) eqn:E.
+      + apply below_correct in E. rewrite value_zero, value_sub, value_one in E. apply (near_widen r f); auto.
+        intros h H. rewrite value_sub, value_one. apply clamp_distance; [|lra].
+        pose proof (bound_correct r f X h F H). lra.
+      + intros h H. replace (clamp (f h)) with (f h); [auto|]. symmetry. apply clamp_inside.
+        pose proof (bound_correct r f X h F H) as Q.
+        assert (L : value (bound r X) <= 1).
+        { destruct (Rle_dec (value (bound r X)) 1); auto. exfalso. apply below_complete in E. rewrite value_zero, value_sub, value_one in E. lra. }
+        split_Rabs; lra.
+  Qed.
+
+  Lemma near_root f X M : near r f X -> (forall h, 0 <= f h) -> root_model r X = Some M -> near r (fun h => sqrt (f h)) M.
+  Proof.
+    intros F P. unfold root_model. destruct (reciprocal_root r X) as [i|] eqn:E.
+    - intros [= <-]. destruct (near_reciprocal_root _ _ _ F P E) as [I Q].
+      intros h H. replace (sqrt (f h)) with (f h * / sqrt (f h)).
+      + apply (near_mmul r R f (fun h => / sqrt (f h))); auto.
+      + specialize (Q h H). pose proof (sqrt_lt_R0 _ Q). rewrite <- (sqrt_sqrt (f h)) at 1 by lra. field. lra.
+    - destruct (at_most zero (root_above (round_up (bound r X)))) eqn:A; [|discriminate].
+      destruct (at_most (round_up (bound r X)) _) eqn:B; [|discriminate]. cbn [andb]. intros [= <-].
+      apply at_most_correct in A, B. rewrite value_zero in A. rewrite value_mul in B. intros h H.
+      cbn [poly_of slack eval]. rewrite value_half. set (s := value (root_above _)) in *.
+      pose proof (in_bound f X h F H) as Q. pose proof (P h). rewrite Rabs_right in Q by lra.
+      pose proof (sqrt_pos (f h)). assert (sqrt (f h) <= s).
+      { rewrite <- (sqrt_square s) by lra. apply sqrt_le_1; nra. }
+      apply Rabs_le. lra.
   Qed.
 End Correctness.

@@ -73,11 +73,19 @@ Proof. unfold value, half; simpl mantissa; simpl exponent. unfold Z.sub. rewrite
 
 Lemma value_sign_pos a : (0 < mantissa a)%Z -> 0 < value a.
 Proof. intros H. apply Rmult_lt_0_compat; [apply (IZR_lt 0); auto|apply two_pos]. Qed.
+Lemma value_nonzero a : mantissa a <> 0%Z -> value a <> 0.
+Proof. intros H E. unfold value in E. apply Rmult_integral in E. pose proof (two_pos (exponent a)). destruct E as [E|E]; [apply (eq_IZR _ 0) in E; auto|lra]. Qed.
 Lemma value_sign_nonneg a : (0 <= mantissa a)%Z -> 0 <= value a.
 Proof. intros H. apply Rmult_le_pos; [apply (IZR_le 0); auto|left; apply two_pos]. Qed.
 
 Lemma below_correct a b : below a b = true -> value a < value b.
 Proof. unfold below. intros H. apply Z.ltb_lt, value_sign_pos in H. rewrite value_sub in H. lra. Qed.
+Lemma below_complete a b : below a b = false -> value b <= value a.
+Proof.
+  unfold below. intros H. apply Z.ltb_ge in H. assert (L : value (sub b a) <= 0).
+  { unfold value. pose proof (two_pos (exponent (sub b a))). apply (IZR_le _ 0) in H. nra. }
+  rewrite value_sub in L. lra.
+Qed.
 Lemma at_most_correct a b : at_most a b = true -> value a <= value b.
 Proof. unfold at_most. intros H. apply Z.leb_le, value_sign_nonneg in H. rewrite value_sub in H. lra. Qed.
 

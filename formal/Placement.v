@@ -50,17 +50,33 @@ Proof.
 Qed.
 
 (** Rotations that always are one: a direction may vanish. *)
-Definition regular (m : motion) : bool :=
-  match m with [] => false | _ => forallb (fun p => match turn p with Direction _ _ => false | _ => true end) m end.
+Definition regular_rotation (turn : rotation) : bool :=
+  match turn with
+  | Direction [a] [b] => negb (Z.eqb (mantissa a) 0 && Z.eqb (mantissa b) 0)
+  | Direction _ _ => false
+  | _ => true
+  end.
+Definition regular (m : motion) : bool := match m with [] => false | _ => forallb (fun p => regular_rotation (turn p)) m end.
 
-Lemma proper_turn m t : match turn m with Direction _ _ => False | _ => True end -> proper (frame_of m t).
+Lemma proper_turn m t : regular_rotation (turn m) = true -> proper (frame_of m t).
 Proof.
-  unfold proper, frame_of; simpl. destruct (turn m) as [|a|s|a b]; simpl; intros H.
+  unfold proper, frame_of; simpl. destruct (turn m) as [|a|s|a b|a]; cbn [cos_sin fst snd]; intros H.
   - lra.
   - pose proof (sin2_cos2 (eval a (t - value (origin m)))) as E. unfold Rsqr in E. lra.
   - set (x := eval s _). assert (P : 0 < 1 + x * x) by nra.
     replace (_ + _) with 1 by (field; lra). lra.
-  - destruct H.
+  - destruct a as [|a [|]], b as [|b [|]]; try discriminate. cbn [eval]. rewrite !Rmult_0_r, !Rplus_0_r.
+    assert (S : value a <> 0 \/ value b <> 0).
+    { simpl in H. destruct (Z.eqb_spec (mantissa a) 0) as [A|A].
+      - destruct (Z.eqb_spec (mantissa b) 0) as [B|B]; [discriminate|]. right. apply value_nonzero; auto.
+      - left. apply value_nonzero; auto. }
+    set (x := value a) in *. set (y := value b) in *. clearbody x y.
+    assert (P : 0 < x * x + y * y) by (destruct (Req_dec x 0); [destruct (Req_dec y 0); [tauto|nra]|nra]).
+    assert (L : 0 < sqrt (x * x + y * y)) by (apply sqrt_lt_R0; auto).
+    pose proof (sqrt_sqrt (x * x + y * y) ltac:(lra)) as Q. set (n := sqrt _) in *.
+    replace (_ + _) with ((x * x + y * y) / (n * n)) by (field; lra). rewrite Q. unfold Rdiv. rewrite Rinv_r; lra.
+  - fold (clamp (eval a (t - value (origin m)))). set (c := clamp _). pose proof (clamp_range (eval a (t - value (origin m)))) as C.
+    fold c in C. rewrite sqrt_sqrt by nra. lra.
 Qed.
 
 Lemma piece_at_in after m t p : piece_at after m t = Some p -> In p m.
@@ -72,8 +88,7 @@ Qed.
 Lemma regular_follow after m t p q : regular m = true -> follow after m t p = follow after m t q -> p = q.
 Proof.
   unfold follow. destruct (piece_at after m t) as [piece|] eqn:E; auto. intros Rg. rewrite !pose_frame. apply apply_injective, proper_turn.
-  apply piece_at_in in E. destruct m; [destruct E|]. unfold regular in Rg. rewrite forallb_forall in Rg. specialize (Rg _ E).
-  destruct (turn piece); auto; discriminate.
+  apply piece_at_in in E. destruct m; [destruct E|]. unfold regular in Rg. rewrite forallb_forall in Rg. exact (Rg _ E).
 Qed.
 
 (** * Models of frames *)
@@ -107,6 +122,12 @@ Definition cos_sin_of (r d : number) (turn : rotation) : option (model * model) 
       match reciprocal_root r (madd (mmul r A A) (mmul r B B)) with
       | None => None
       | Some i => Some (mmul r A i, mmul r B i)
+      end
+  | Cosine a =>
+      let C := clamp_model r (poly_model r d a) in
+      match root_model r (msub (constant one) (mmul r C C)) with
+      | None => None
+      | Some s => Some (C, s)
       end
   end.
 Definition piece_model (middle r : number) (m : piece) : option placement :=
@@ -203,7 +224,7 @@ Section Correctness.
       0 < fst (cos_sin turn (value middle + h - value o)) * fst (cos_sin turn (value middle + h - value o)) +
           snd (cos_sin turn (value middle + h - value o)) * snd (cos_sin turn (value middle + h - value o)).
   Proof.
-    destruct turn as [|a|p|a b].
+    destruct turn as [|a|p|a b|a].
     - intros [= <- <-]. simpl. repeat split; auto using near_zero, one_near. intros; lra.
     - intros E. destruct (near_cos_sin_model r R _ _ _ _ (near_poly middle o a) E) as [C S]. repeat split; auto.
       intros h _. simpl. set (x := eval a _). pose proof (sin2_cos2 x) as T. unfold Rsqr in T. lra.
@@ -235,6 +256,16 @@ Section Correctness.
         pose proof (sqrt_sqrt (f h * f h + g h * g h) ltac:(lra)) as Q. set (n := sqrt _) in *.
         replace (_ + _) with ((f h * f h + g h * g h) / (n * n)) by (field; lra). rewrite Q.
         unfold Rdiv. rewrite Rinv_r; lra.
+    - cbn [cos_sin_of]. set (f := fun h => clamp (eval a (value middle + h - value o))).
+      pose proof (near_clamp r R _ _ (near_poly middle o a)) as N. fold f in N.
+      set (C := clamp_model r (poly_model r (sub middle o) a)) in *. clearbody C.
+      assert (D : near r (fun h => 1 - f h * f h) (msub (constant one) (mmul r C C)))
+        by (apply (near_msub r (fun _ => 1)); auto using one_near; apply near_mmul; auto).
+      assert (P : forall h, 0 <= 1 - f h * f h).
+      { intros h. pose proof (clamp_range (eval a (value middle + h - value o))) as B. fold (f h) in B. nra. }
+      destruct (root_model r _) as [s'|] eqn:E; [|discriminate]. intros [= <- <-].
+      split; [exact N|]. split; [exact (near_root r R _ _ _ D P E)|].
+      intros h _. change (0 < f h * f h + sqrt (1 - f h * f h) * sqrt (1 - f h * f h)). rewrite sqrt_sqrt by auto. lra.
   Qed.
 
   Lemma near_values p : near r (fun _ => fst (values p)) (constant (fst p)) /\ near r (fun _ => snd (values p)) (constant (snd p)).

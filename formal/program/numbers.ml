@@ -49,3 +49,15 @@ let pi =
   let quarter = Z.sub (Z.shift_left (arctan_inverse 5) 2) (arctan_inverse 239) in
   Q.make (Z.shift_left quarter 2) (Z.shift_left Z.one bits)
 let radians_per_degree = Q.div pi (Q.of_int 180)
+
+(* Cosine and sine of an angle in radians, |a| < 7, within 2^-1000, by their series. *)
+let cos_sin a =
+  let bits = 1100 in
+  let x = Z.div (Z.shift_left (Q.num a) bits) (Q.den a) in
+  let product a b = Z.shift_right (Z.mul a b) bits in
+  let square = product x x in
+  let rec sum term k total =
+    if Z.leq (Z.abs term) Z.one then total
+    else sum (Z.neg (Z.div (product term square) (Z.of_int ((k + 1) * (k + 2))))) (k + 2) (Z.add total term) in
+  let one = Z.shift_left Z.one bits in
+  (Q.make (sum one 0 Z.zero) one, Q.make (sum x 1 Z.zero) one)

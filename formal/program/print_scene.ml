@@ -10,6 +10,7 @@ let rotation = function
   | Fixed -> "null"
   | Angle a -> "{\"angle\":" ^ numbers a ^ "}"
   | HalfAngleTangent s -> "{\"half_angle_tangent\":" ^ numbers s ^ "}"
+  | Cosine a -> "{\"cosine\":" ^ numbers a ^ "}"
   | Direction (a, b) -> "{\"direction\":{\"a\":" ^ numbers a ^ ",\"b\":" ^ numbers b ^ "}}"
 
 let piece last p =

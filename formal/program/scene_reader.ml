@@ -51,7 +51,7 @@ let rotation where v =
   | Json.Object [ ("direction", d) ] ->
       let m = Json.members where [ "a"; "b" ] d in
       Direction (numbers where (Json.get where m "a"), numbers where (Json.get where m "b"))
-  | Json.Object [ ("cosine", _) ] -> not_covered (where ^ ": a rotation by a cosine")
+  | Json.Object [ ("cosine", a) ] -> Cosine (numbers where a)
   | _ -> Json.error where "unknown rotation"
 
 let piece_keys = [ "x"; "y"; "rotation"; "until"; "pivot"; "origin"; "orbit" ]
@@ -89,39 +89,86 @@ let held degrees =
         Direction ([ Numbers.of_int c ], [ Numbers.of_int s ])
   else Angle [ rounded (Q.mul (rational degrees) Numbers.radians_per_degree) ]
 
-type keyframe = { t : number; x : number; y : number; degrees : number }
+(* How a body comes to a keyframe: around a centre, by an angle in degrees, turning with the way or not. *)
+type way = Straight | Around of { centre : number * number; by : number; turns : bool }
+type keyframe = { t : number; x : number; y : number; degrees : number; way : way }
 
+(* And which of x, y and the angle it has, which must be the same ones in all keyframes. *)
 let keyframe where v =
-  (match v with
-   | Json.Object m when Json.find m "turn" <> None || Json.find m "arc" <> None ->
-       not_covered (where ^ ": a keyframe around a centre")
-   | _ -> ());
-  let m = Json.members where [ "t"; "x"; "y"; "angle_deg" ] v in
+  let m = Json.members where [ "t"; "x"; "y"; "angle_deg"; "turn"; "arc" ] v in
+  let t = number where (Json.get where m "t") in
+  let around turns v =
+    let m = Json.members where [ "center"; "deg" ] v in
+    Around { centre = point where (Json.get where m "center"); by = number where (Json.get where m "deg"); turns } in
   let one key = optional m key (number where) zero in
-  ( { t = number where (Json.get where m "t"); x = one "x"; y = one "y"; degrees = one "angle_deg" },
-    List.map (fun key -> Json.find m key <> None) [ "x"; "y"; "angle_deg" ] )
+  let given = List.map (fun key -> Json.find m key <> None) [ "x"; "y"; "angle_deg" ] in
+  let way = match (Json.find m "turn", Json.find m "arc") with
+    | None, None -> Straight
+    | Some v, None when not (List.mem true given) -> around true v
+    | None, Some v when not (List.mem true given) -> around false v
+    | _ -> Json.error where "a keyframe around a centre has no other place" in
+  ({ t; x = one "x"; y = one "y"; degrees = one "angle_deg"; way }, if way = Straight then Some given else None)
 
-let from_keyframes where pivot frames =
-  let frames, given = List.split frames in
-  let rec check = function
-    | a :: (b :: _ as rest) ->
-        if Q.lt (rational a.t) (rational b.t) then check rest else Json.error where "keyframes are not in order of time"
-    | _ -> () in
-  check frames;
-  (match given with
-   | [] -> Json.error where "there are no keyframes"
-   | first :: rest -> if List.exists (fun g -> g <> first) rest then Json.error where "keyframes have different keys");
-  let rest until k = piece ~until ~turn:(held k.degrees) ~pivot (constant k.x) (constant k.y) in
-  let rec between = function
-    | a :: (b :: _ as frames) ->
-        let x = line a.t a.x b.t b.x Q.one and y = line a.t a.y b.t b.y Q.one in
-        let turn = if a.degrees = b.degrees then held a.degrees
-          else Angle (line a.t a.degrees b.t b.degrees Numbers.radians_per_degree) in
-        let varies = List.length x > 1 || List.length y > 1 || (match turn with Angle (_ :: _ :: _) -> true | _ -> false) in
-        piece ~until:b.t ~origin:(if varies then a.t else zero) ~turn ~pivot x y :: between frames
-    | [ last ] -> [ rest zero last ]
-    | [] -> [] in
-  match frames with [ only ] -> [ rest zero only ] | first :: _ -> rest first.t first :: between frames | [] -> []
+(* Of an angle in degrees. *)
+let cos_sin degrees =
+  let turns = Q.div degrees (Q.of_int 360) in
+  let rest = Q.mul (Q.sub turns (Q.of_bigint (Q.to_bigint turns))) (Q.of_int 360) in
+  let quarters = Q.div rest (Q.of_int 90) in
+  if Z.equal (Q.den quarters) Z.one then
+    let c, s = List.nth [ (1, 0); (0, 1); (-1, 0); (0, -1) ] (Z.to_int (Z.erem (Q.num quarters) (Z.of_int 4))) in
+    (Q.of_int c, Q.of_int s)
+  else Numbers.cos_sin (Q.mul rest Numbers.radians_per_degree)
+
+(* Where the way around a centre leads to; each number is rounded once. *)
+let take_way (px, py) before k =
+  match k.way with
+  | Straight -> k
+  | Around { centre = (cx, cy); by; turns } ->
+      let c, s = cos_sin (rational by) in
+      let q = rational in
+      let x = Q.sub (Q.add (q px) (q before.x)) (q cx) and y = Q.sub (Q.add (q py) (q before.y)) (q cy) in
+      (* A sum that is 0 is left with an error of the sine: smaller sums than that count as 0. *)
+      let noise = Q.mul (List.fold_left (fun n a -> Q.add n (Q.abs a)) Q.zero [ x; y; q cx; q cy; q px; q py ])
+        (Q.make Z.one (Z.shift_left Z.one 900)) in
+      let coordinate sum = if Q.lt (Q.abs sum) noise then zero else rounded sum in
+      { k with
+        x = coordinate (Q.sub (Q.add (Q.sub (Q.mul c x) (Q.mul s y)) (q cx)) (q px));
+        y = coordinate (Q.sub (Q.add (Q.add (Q.mul s x) (Q.mul c y)) (q cy)) (q py));
+        degrees = (if turns then rounded (Q.add (q before.degrees) (q by)) else before.degrees) }
+
+let rest_at pivot until k = piece ~until ~turn:(held k.degrees) ~pivot (constant k.x) (constant k.y)
+
+let angles a b = Angle (line a.t a.degrees b.t b.degrees Numbers.radians_per_degree)
+
+let between pivot a b =
+  match b.way with
+  | Around { centre; by; turns } when not (is_zero by) ->
+      let turn = if turns && a.degrees <> b.degrees then angles a b else held a.degrees in
+      let angle = line a.t zero b.t by Numbers.radians_per_degree in
+      piece ~until:b.t ~origin:a.t ~turn ~pivot ~orbit:(centre, angle) (constant a.x) (constant a.y)
+  | _ ->
+      let x = line a.t a.x b.t b.x Q.one and y = line a.t a.y b.t b.y Q.one in
+      let turn = if a.degrees = b.degrees then held a.degrees else angles a b in
+      let varies = List.length x > 1 || List.length y > 1 || (match turn with Angle (_ :: _ :: _) -> true | _ -> false) in
+      piece ~until:b.t ~origin:(if varies then a.t else zero) ~turn ~pivot x y
+
+let from_keyframes where pivot given =
+  (match List.filter_map snd given with
+   | first :: rest -> if List.exists (fun g -> g <> first) rest then Json.error where "keyframes have different keys"
+   | [] -> ());
+  match List.map fst given with
+  | [] -> Json.error where "there are no keyframes"
+  | first :: rest ->
+      if first.way <> Straight then Json.error where "the first keyframe goes around a centre";
+      let frames = List.rev (List.fold_left (fun done_ k ->
+        let before = List.hd done_ in
+        if not (Q.lt (rational before.t) (rational k.t)) then Json.error where "keyframes are not in order of time";
+        take_way pivot before k :: done_) [ first ] rest) in
+      let rec pieces = function
+        | a :: (b :: _ as frames) -> between pivot a b :: pieces frames
+        | [ last ] -> if rest = [] then [] else [ rest_at pivot zero last ]
+        | [] -> [] in
+      rest_at pivot (if rest = [] then zero else first.t) first :: pieces frames
 
 let from_velocity where m =
   let vx, vy = optional m "velocity" (point where) (zero, zero) in
