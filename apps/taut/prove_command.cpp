@@ -28,7 +28,7 @@ struct ProveArguments {
   std::string output;
   CheckOptions options;
   std::optional<double> clearance, tolerance;
-  bool json = false, allow_untested = false;
+  bool json = false, allow_untested = false, exact = false;
 };
 
 /// The answer as the command prints it, and, if a proof was written, where.
@@ -94,8 +94,9 @@ int run_prove(const ProveArguments& arguments) {
   const Scene scene = load_scene(arguments.scene);
   io::AtomicFile file(arguments.output);
   const Answer answer =
-      watched_run(scene, arguments.scene.path, arguments.options,
-                  [&file](const Scene& s, const CheckOptions& options) { return prove(s, file.stream(), options); });
+      watched_run(scene, arguments.scene.path, arguments.options, [&](const Scene& s, const CheckOptions& options) {
+        return arguments.exact ? prove_exact(s, file.stream(), options) : prove(s, file.stream(), options);
+      });
   // There is nothing to prove about bodies that overlap from the start, or where nothing was decided.
   const bool proof = answer.outcome == Outcome::free || answer.contact || answer.free_until > scene.start;
   if (proof) file.commit();
@@ -119,6 +120,9 @@ void add_prove(const Command& app, Action& action) {
       .add_option("--tolerance", arguments->tolerance,
                   "of a scene with joints: divide cells down to this share of each range (1e-4)")
       .value("X");
+  command.add_flag(
+      "--exact", arguments->exact,
+      "write an exact log, for the checker that is proved; touching counts, the log ends before a contact");
   command.add_flag("--json", arguments->json, "print the answer as one JSON object");
   command.footer(
       "Example:\n"
@@ -137,7 +141,14 @@ void add_prove(const Command& app, Action& action) {
       "of curves, there is then no log.\n");
   command.on_chosen([&action, arguments] {
     action = [arguments] {
-      if (has_joints(arguments->scene)) return run_prove_path(*arguments);
+      if (has_joints(arguments->scene)) {
+        if (arguments->exact) throw InputError("--exact", "the scene has joints instead of a time", "leave it out");
+        return run_prove_path(*arguments);
+      }
+      if (arguments->exact && arguments->clearance)
+        throw InputError("--exact", "exact proofs are about contact, not about a clearance",
+                         "leave one of the two out");
+      if (arguments->exact) arguments->options.touch = Touch::closed;
       if (arguments->tolerance)
         throw InputError("--tolerance", "it is about joints, and the scene has a time", "leave it out");
       return arguments->clearance ? run_prove_clearance(*arguments) : run_prove(*arguments);
