@@ -32,7 +32,19 @@ Definition project (r : number) (n : number * number) (P : placement) : projecti
 Definition along_direction (J : projection) (v : vertex) : model :=
   madd (base J) (madd (mscale (fst v) (per_x J)) (mscale (snd v) (per_y J))).
 
-Definition ends (test : vertex -> bool) (l : list (vertex * vertex)) : bool := forallb (fun e => test (fst e) && test (snd e)) l.
+Definition same_number (a b : number) : bool := Z.eqb (mantissa a) (mantissa b) && Z.eqb (exponent a) (exponent b).
+Definition same_vertex (u v : vertex) : bool := same_number (fst u) (fst v) && same_number (snd u) (snd v).
+(** All ends of edges; mostly an edge ends where the next one begins. *)
+Fixpoint ends (test : vertex -> bool) (l : list (vertex * vertex)) : bool :=
+  match l with
+  | [] => true
+  | e :: rest =>
+      test (fst e) && ends test rest &&
+      match rest with
+      | f :: _ => same_vertex (snd e) (fst f) || test (snd e)
+      | [] => test (snd e)
+      end
+  end.
 
 Definition halves {A} (l : list A) : list A * list A :=
   let n := Nat.div2 (length l) in (firstn n l, skipn n l).

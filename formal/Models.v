@@ -98,7 +98,7 @@ Record model := Model { poly_of : poly; slack : number }.
 Definition near (r : number) (f : R -> R) (M : model) : Prop :=
   forall h, Rabs h <= value r -> Rabs (f h - eval (poly_of M) h) <= value (slack M).
 
-(** Terms up to the seventh power, of at most 128 bits; the rest goes to the slack. *)
+(** Terms that matter, of limited length; the rest goes to the slack. Any number of terms would do. *)
 Fixpoint trim (k : nat) (r : number) (p : poly) : poly * number :=
   match p with
   | [] => ([], zero)
@@ -108,8 +108,34 @@ Fixpoint trim (k : nat) (r : number) (p : poly) : poly * number :=
       | S k' => let (b, e) := cut a in let (q, e') := trim k' r p' in (b :: q, add e (mul r e'))
       end
   end.
+Definition most_terms := 8%nat.
+Definition negligible := 60%Z.
+Definition magnitude (a : number) : Z := (Z.log2 (Z.abs (mantissa a)) + exponent a)%Z.
+(** The largest magnitude of a term, where those of powers of h have [step] added for each. *)
+Fixpoint largest (step shift best : Z) (p : poly) : Z :=
+  match p with
+  | [] => best
+  | a :: p' => largest step (shift + step) (if Z.eqb (mantissa a) 0 then best else Z.max best (magnitude a + shift)) p'
+  end.
+Fixpoint terms_above (step shift floor : Z) (p : poly) : nat :=
+  match p with
+  | [] => O
+  | a :: p' =>
+      match terms_above step (shift + step) floor p' with
+      | S n => S (S n)
+      | O => if Z.eqb (mantissa a) 0 || Z.leb (magnitude a + shift) floor then O else 1%nat
+      end
+  end.
+Definition useful (r : number) (p : poly) : nat :=
+  match p with
+  | [] => O
+  | a :: _ =>
+      if Z.eqb (mantissa r) 0 then 1%nat
+      else let step := (magnitude r + 1)%Z in
+           Nat.min most_terms (terms_above step 0 (largest step 0 (magnitude a) p - negligible) p)
+  end.
 Definition tidy (r : number) (M : model) : model :=
-  let (p, e) := trim 8 r (poly_of M) in Model p (round_up (add (slack M) e)).
+  let (p, e) := trim (useful r (poly_of M)) r (poly_of M) in Model p (round_up (add (slack M) e)).
 
 Definition constant (a : number) : model := Model [a] zero.
 Definition variable : model := Model [zero; one] zero.
@@ -149,8 +175,8 @@ Section Correctness.
 
   Lemma near_tidy f M : near r f M -> near r f (tidy r M).
   Proof.
-    intros H h Hh. unfold tidy. pose proof (trim_correct 8 (poly_of M) h Hh) as T.
-    destruct (trim 8 r (poly_of M)) as [p e]. cbn [poly_of slack fst snd] in *.
+    intros H h Hh. unfold tidy. pose proof (trim_correct (useful r (poly_of M)) (poly_of M) h Hh) as T.
+    destruct (trim (useful r (poly_of M)) r (poly_of M)) as [p e]. cbn [poly_of slack fst snd] in *.
     eapply Rle_trans; [|apply round_up_correct]. rewrite value_add. specialize (H h Hh).
     replace (f h - eval p h) with (f h - eval (poly_of M) h + (eval (poly_of M) h - eval p h)) by ring.
     eapply Rle_trans; [apply Rabs_triang|]. lra.

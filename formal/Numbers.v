@@ -21,17 +21,21 @@ Definition half (a : number) : number := Number (mantissa a) (exponent a - 1).
 Definition below (a b : number) : bool := Z.ltb 0 (mantissa (sub b a)).
 Definition at_most (a b : number) : bool := Z.leb 0 (mantissa (sub b a)).
 
-(** At most 128 bits of a number, and how much is left out at most. *)
+(* By names, so that the program has them ready. *)
+Definition kept_bits := 96%Z.
+Definition slack_bits := 48%Z.
+
+(** At most so many bits of a number, and how much is left out at most. *)
 Definition cut (a : number) : number * number :=
   let n := Z.log2 (Z.abs (mantissa a)) in
-  if Z.leb n 128 then (a, zero)
-  else let k := (n - 128)%Z in
+  if Z.leb n kept_bits then (a, zero)
+  else let k := (n - kept_bits)%Z in
        (Number (Z.shiftr (mantissa a) k) (exponent a + k), Number 1 (exponent a + k)).
-(** Not less, in at most 64 bits. *)
+(** Not less, in few bits. *)
 Definition round_up (a : number) : number :=
   let n := Z.log2 (Z.abs (mantissa a)) in
-  if Z.leb n 64 then a
-  else let k := (n - 64)%Z in Number (Z.shiftr (mantissa a) k + 1) (exponent a + k).
+  if Z.leb n slack_bits then a
+  else let k := (n - slack_bits)%Z in Number (Z.shiftr (mantissa a) k + 1) (exponent a + k).
 
 Lemma two_pos e : 0 < powerRZ 2 e.
 Proof. apply powerRZ_lt; lra. Qed.
@@ -99,17 +103,17 @@ Qed.
 
 Lemma cut_correct a : Rabs (value a - value (fst (cut a))) <= value (snd (cut a)).
 Proof.
-  unfold cut. destruct (Z.leb_spec (Z.log2 (Z.abs (mantissa a))) 128) as [_|H]; simpl.
+  unfold cut. destruct (Z.leb_spec (Z.log2 (Z.abs (mantissa a))) kept_bits) as [_|H]; simpl.
   - rewrite value_zero. rewrite Rminus_diag_eq, Rabs_R0 by reflexivity. lra.
-  - set (k := (Z.log2 (Z.abs (mantissa a)) - 128)%Z) in *. destruct (shiftr_bounds (mantissa a) k) as [L U]; [lia|].
+  - set (k := (Z.log2 (Z.abs (mantissa a)) - kept_bits)%Z) in *. destruct (shiftr_bounds (mantissa a) k) as [L U]; [lia|].
     unfold value; simpl mantissa; simpl exponent. rewrite two_add. pose proof (two_pos (exponent a)). pose proof (two_pos k).
     apply Rabs_le. split; nra.
 Qed.
 
 Lemma round_up_correct a : value a <= value (round_up a).
 Proof.
-  unfold round_up. destruct (Z.leb_spec (Z.log2 (Z.abs (mantissa a))) 64) as [_|H]; [lra|].
-  set (k := (Z.log2 (Z.abs (mantissa a)) - 64)%Z) in *. destruct (shiftr_bounds (mantissa a) k) as [_ U]; [lia|].
+  unfold round_up. destruct (Z.leb_spec (Z.log2 (Z.abs (mantissa a))) slack_bits) as [_|H]; [lra|].
+  set (k := (Z.log2 (Z.abs (mantissa a)) - slack_bits)%Z) in *. destruct (shiftr_bounds (mantissa a) k) as [_ U]; [lia|].
   unfold value; simpl mantissa; simpl exponent. rewrite two_add, plus_IZR. pose proof (two_pos (exponent a)). nra.
 Qed.
 

@@ -38,8 +38,17 @@ Section Window.
 
   Definition edge_place (H : R -> frame) (h : R) (e : vertex * vertex) : point * point := (place H h (fst e), place H h (snd e)).
 
+  Lemma same_vertex_correct u v : same_vertex u v = true -> u = v.
+  Proof.
+    destruct u as [[m e] [m' e']], v as [[n f] [n' f']]. unfold same_vertex, same_number; simpl.
+    rewrite !andb_true_iff, !Z.eqb_eq. intros [[-> ->] [-> ->]]. reflexivity.
+  Qed.
   Lemma ends_correct test l e : ends test l = true -> In e l -> test (fst e) = true /\ test (snd e) = true.
-  Proof. unfold ends. rewrite forallb_forall. intros H I. apply andb_prop. apply H; auto. Qed.
+  Proof.
+    induction l as [|e' l IH]; [intros _ []|]. cbn [ends]. rewrite !andb_true_iff. intros [[A B] C] [<-|I]; [|auto].
+    split; auto. destruct l as [|f l]; auto. apply orb_prop in C. destruct C as [C|C]; auto.
+    apply same_vertex_correct in C. rewrite C. cbn [ends] in B. rewrite !andb_true_iff in B. tauto.
+  Qed.
 
   Lemma line_correct n level E E' : separated r P Q E E' (Line n level) = true -> forall h, Rabs h <= value r ->
     (forall e, In e E -> dot (values n) (place F h (fst e)) < eval level h /\ dot (values n) (place F h (snd e)) < eval level h) /\
