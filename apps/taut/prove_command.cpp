@@ -7,6 +7,7 @@
 #include "interrupt.hpp"
 #include "io/answer_json.hpp"
 #include "io/atomic_file.hpp"
+#include "io/number_text.hpp"
 #include "io/terminal_text.hpp"
 #include "margin_report.hpp"
 #include "path_report.hpp"
@@ -93,15 +94,23 @@ int run_prove_path(const ProveArguments& arguments) {
 int run_prove(const ProveArguments& arguments) {
   const Scene scene = load_scene(arguments.scene);
   io::AtomicFile file(arguments.output);
-  const Answer answer =
-      watched_run(scene, arguments.scene.path, arguments.options, [&](const Scene& s, const CheckOptions& options) {
+  const Answer answer = watched_run(
+      scene, arguments.scene.path, arguments.options, [&file, &arguments](const Scene& s, const CheckOptions& options) {
         return arguments.exact ? prove_exact(s, file.stream(), options) : prove(s, file.stream(), options);
       });
-  // There is nothing to prove about bodies that overlap from the start, or where nothing was decided.
-  const bool proof = answer.outcome == Outcome::free || answer.contact || answer.free_until > scene.start;
+  // There is nothing to prove about bodies that overlap from the start, or where nothing was decided. Exact logs prove
+  // no contact, but that there is none before.
+  const bool contact = answer.contact && !arguments.exact;
+  const bool proof = answer.outcome == Outcome::free || contact || answer.free_until > scene.start;
   if (proof) file.commit();
-  print_proved(arguments, scene, answer_json(scene, answer, arguments.options.touch, std::nullopt),
-               report(scene, answer, arguments.options.touch), proof);
+  std::string words = report(scene, answer, arguments.options.touch);
+  std::string json = answer_json(scene, answer, arguments.options.touch, std::nullopt);
+  if (proof && arguments.exact) {
+    const double until = answer.outcome == Outcome::free ? scene.end : answer.free_until;
+    words += fmt::format("  the exact log is about [{}, {}]\n", scene.start, until);
+    json.insert(json.size() - 1, ",\"exact_until\":" + io::number_text(until));
+  }
+  print_proved(arguments, scene, std::move(json), words, proof);
   return exit_code(answer.outcome, arguments.allow_untested);
 }
 

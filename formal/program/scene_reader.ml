@@ -15,23 +15,45 @@ let point where v =
 
 let ring where v = List.map (point where) (Json.list where v)
 
-(* One polygon: its parts, as lists of rings. *)
-let rec polygon where v =
+(* The heights that a part reaches through; without an end, infinite. *)
+let layers where v =
+  match Json.pair where v with
+  | lo, hi ->
+      let height otherwise = function Json.Null -> otherwise | v -> Json.float where v in
+      let lo = height neg_infinity lo and hi = height infinity hi in
+      if lo < hi then (lo, hi) else Json.error where "the layers are not two heights, the lower one first"
+
+(* One polygon, with its own layers, or those of the body. *)
+let polygon where z v =
   match v with
-  | Json.List _ -> [ ring where v ]
+  | Json.List _ -> ([ ring where v ], z)
   | Json.Object m ->
       List.iter (fun key -> if Json.find m key <> None then not_covered (where ^ ": a polygon as \"" ^ key ^ "\""))
-        [ "path"; "wkt"; "geojson"; "z" ];
-      let m = Json.members where [ "outline"; "holes" ] v in
+        [ "path"; "wkt"; "geojson" ];
+      let m = Json.members where [ "outline"; "holes"; "z" ] v in
       let holes = match Json.find m "holes" with None -> [] | Some h -> List.map (ring where) (Json.list where h) in
-      ring where (Json.get where m "outline") :: holes
+      let z = match Json.find m "z" with None -> z | Some z -> layers where z in
+      (ring where (Json.get where m "outline") :: holes, z)
   | _ -> Json.error where "expected a polygon"
 
-and shape where m =
+let shape where m =
+  let z = match Json.find m "z" with None -> (neg_infinity, infinity) | Some z -> layers where z in
   match (Json.find m "polygon", Json.find m "parts") with
-  | Some p, None -> [ polygon where p ]
-  | None, Some parts -> List.map (polygon where) (Json.list where parts)
+  | Some p, None -> [ polygon where z p ]
+  | None, Some parts -> List.map (polygon where z) (Json.list where parts)
   | _ -> Json.error where "expected either \"polygon\" or \"parts\""
+
+(* A body is one body for each interval of heights that has the same parts throughout, from the lowest one up. *)
+let cross_sections parts =
+  let heights = List.sort_uniq compare (List.concat_map (fun (_, (lo, hi)) -> [ lo; hi ]) parts) in
+  let rec intervals = function a :: (b :: _ as rest) -> (a, b) :: intervals rest | _ -> [] in
+  let within (a, b) = List.filter (fun (_, (lo, hi)) -> lo <= a && b <= hi) parts in
+  let sections = List.map (fun interval -> (interval, within interval)) (intervals heights) in
+  let rec joined = function
+    | ((a, _), p) :: ((_, c), q) :: rest when p == q || p = q -> joined (((a, c), p) :: rest)
+    | section :: rest -> section :: joined rest
+    | [] -> [] in
+  List.map (fun (interval, parts) -> (interval, List.map fst parts)) (List.filter (fun (_, p) -> p <> []) (joined sections))
 
 (* Motions *)
 
@@ -223,14 +245,13 @@ let rests motion = List.for_all (fun p -> p.shift = ([], []) && p.turn = Fixed &
 
 (* Scenes *)
 
-type named = { name : string; parent : string option; own : piece list; parts : (number * number) list list list }
+type named = {
+  name : string; parent : string option; own : piece list;
+  parts : ((number * number) list list * (float * float)) list }
 
 let read_body start stop i v =
   let where = Printf.sprintf "bodies[%d]" i in
-  (match v with
-   | Json.Object m when Json.find m "z" <> None -> not_covered (where ^ ": layers")
-   | _ -> ());
-  let m = Json.members where [ "name"; "polygon"; "parts"; "motion"; "relative_to"; "id" ] v in
+  let m = Json.members where [ "name"; "polygon"; "parts"; "z"; "motion"; "relative_to"; "id" ] v in
   { name = Json.string where (Json.get where m "name");
     parent = optional m "relative_to" (fun v -> Some (Json.string where v)) None;
     own = optional m "motion" (read_motion where start stop) [];
@@ -285,5 +306,17 @@ let read text =
     | None | Some (Json.String "skip") -> alike
     | Some (Json.String "test") -> true
     | _ -> Json.error "at_rest" "expected \"test\" or \"skip\"" in
-  ( { start; stop; bodies = List.map2 (fun chain b -> { chain; shape = b.parts }) chains bodies; ignored; at_rest },
-    Array.of_list names )
+  (* The lowest cross-section of each body has its number, the others follow after the last body. *)
+  let sections = List.map2 (fun (i, chain) b -> List.map (fun (z, parts) -> (i, z, { chain; shape = parts })) (cross_sections b.parts))
+    (List.mapi (fun i c -> (i, c)) chains) bodies in
+  let all = List.map List.hd sections @ List.concat_map List.tl sections in
+  let layered = List.length all > List.length bodies || List.exists (fun (_, z, _) -> z <> (neg_infinity, infinity)) all in
+  let ignored =
+    if not layered then ignored
+    else
+      let apart (i, (lo, hi), _) (j, (lo', hi'), _) =
+        i = j || List.mem (i, j) ignored || List.mem (j, i) ignored || Float.max lo lo' >= Float.min hi hi' in
+      List.concat (List.mapi (fun k x ->
+        List.concat (List.mapi (fun l y -> if k < l && apart x y then [ (k, l) ] else []) all)) all) in
+  ( { start; stop; bodies = List.map (fun (_, _, b) -> b) all; ignored; at_rest },
+    Array.of_list (List.map (fun (i, _, _) -> List.nth names i) all) )

@@ -36,7 +36,7 @@ MarginAnswer prove_clearance(const Scene& scene, double clearance, std::ostream&
 /// for `contact` up to shortly before it: docs/exact-logs.md. Such logs are checked by a program whose soundness is a
 /// theorem (docs/verified.md); they are about bodies exactly as given, and need room between them. Answer::free_until
 /// then is the time up to which the log proves the motion to be free. Where no log was found, the answer is
-/// `undecided`, and says so. Throws InputError, also for what exact logs do not cover: curves, layers, mechanisms.
+/// `undecided`, and says so. Throws InputError, also for what exact logs do not cover: curves, mechanisms.
 Answer prove_exact(const Scene& scene, std::ostream& log, const CheckOptions& options = {});
 
 /// A SHA-256 digest.

@@ -40,7 +40,7 @@ def check(scene: Scene, *, touch: Touch = "open", engine: Engine = "usual", pair
 
 
 def prove(scene: Scene, *, touch: Touch = "open", engine: Engine = "usual", max_seconds: Optional[float] = None,
-          max_events: Optional[int] = None) -> Proof:
+          max_events: Optional[int] = None, exact: bool = False) -> Proof:
     """As check(), with a log that proves the answer, in memory.
 
     ``engine``: of two plain bodies, "kinetic" gives the way of a tiling, about 13 bytes an event, "spacetime" what
@@ -48,10 +48,13 @@ def prove(scene: Scene, *, touch: Touch = "open", engine: Engine = "usual", max_
     kinetic one, compared with the other. Of worlds it is what separates the bodies. Of bodies with curves it is polygons around and within them,
     and proofs about these. Other options and errors are those of check(). An
     undecided run proves what it has done.
+    ``exact``: the log is an exact one, for taut-verified, a checker that is proved itself. Touching counts, whatever
+    ``touch`` says; the log, JSON, ends before a contact: its "until". Where bodies have no room between them, or the
+    scene has curves or a mechanism, there is none.
     """
     with _plain_places():
         answer, log, name = ask("prove", asked_scene(scene), touch=touch, engine=engine, max_seconds=max_seconds,
-                                max_events=max_events)
+                                max_events=max_events, exact=exact)
     return Proof(answer_from_json(answer, scene), log, name)
 
 

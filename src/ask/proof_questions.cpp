@@ -10,7 +10,15 @@
 namespace taut::internal {
 namespace {
 
+/// Of exact logs, in which touching counts.
+Reply ask_exact_proof(const Scene& scene, const GivenOptions& given) {
+  std::ostringstream log;
+  const Answer answer = prove_exact(scene, log, given.check());
+  return {answer_json(scene, answer, Touch::closed), log.str(), to_hex(scene_fingerprint(scene, Touch::closed))};
+}
+
 Reply ask_proof(const Scene& scene, const GivenOptions& given) {
+  if (given.flag("exact")) return ask_exact_proof(scene, given);
   std::ostringstream log;
   const Answer answer = prove(scene, log, given.check());
   // There is nothing to prove about bodies that overlap from the start, or where nothing was decided.
@@ -45,7 +53,10 @@ std::vector<QuestionEntry> proof_questions() {
   return {{.name = "prove",
            .meaning = "As check, with a proof, which is left out where nothing was proved.",
            .answer = "Answer",
-           .options = {touch_option(), engine_option(), max_seconds_option(), max_events_option()},
+           .options = {touch_option(), engine_option(), max_seconds_option(), max_events_option(),
+                       flag_option("exact",
+                                   "write an exact log, for the checker that is proved: touching counts, and the log "
+                                   "ends before a contact")},
            .about_scene = ask_proof,
            .log = QuestionLog::written},
           {.name = "prove_clearance",

@@ -13,7 +13,10 @@ char shown(char version) { return version >= '0' && version <= '9' ? version : '
 
 Header read_header(ByteReader& in, const Scene& scene) {
   for (const char c : magic) {
-    if (in.u8() != static_cast<std::uint8_t>(c)) throw ProofError("this is not a proof log of taut");
+    const std::uint8_t byte = in.u8();
+    if (byte == '{' && c == magic[0])
+      throw ProofError("this is not a proof log of taut; if it is an exact one, taut-verified checks it");
+    if (byte != static_cast<std::uint8_t>(c)) throw ProofError("this is not a proof log of taut");
   }
   Header header;
   header.version = static_cast<char>(in.u8());

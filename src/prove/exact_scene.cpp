@@ -6,6 +6,7 @@
 
 #include "motion/pieces.hpp"
 #include "motion/rotation_forms.hpp"
+#include "scene/cross_sections.hpp"
 #include "taut/error.hpp"
 
 namespace taut::internal {
@@ -94,53 +95,64 @@ std::optional<LocalPlacement> placement_of(const MotionPiece& piece, double midd
   return out;
 }
 
-}  // namespace
-
-ExactScene::ExactScene(const Scene& scene) : ignored_(scene) {
-  if (scene.mechanism) refuse_exactly("mechanism", "mechanisms");
-  const auto names = bodies_by_name(scene);
-  for (const Body& body : scene.bodies) {
-    add_edges(body);
-    chains_.push_back(chain_in(scene, names, body));
-  }
-  at_rest_ = scene.at_rest == AtRest::test;
-  if (scene.at_rest != AtRest::skip) return;
-  const ExactChain* first = nullptr;
-  at_rest_ = true;
-  for (int k = 0; k < size(); ++k) {
-    const ExactChain& chain = chains_[static_cast<std::size_t>(k)];
-    if (ignored_.has_all(k)) continue;
-    if (first && !equal_chains(*first, chain)) at_rest_ = false;
-    if (!first) first = &chain;
-  }
-}
-
-void ExactScene::add_edges(const Body& body) {
-  const auto layered = [&](const Part& part) { return part.z.has_value(); };
-  if (!body.curves.empty()) refuse_exactly(body.name, "curves");
-  if (!(body.z == Layers{}) || std::any_of(body.parts.begin(), body.parts.end(), layered))
-    refuse_exactly(body.name, "layers");
-  std::vector<ExactEdge>& edges = edges_.emplace_back();
+std::vector<ExactEdge> edges_of(const Body& body, const std::vector<std::size_t>& parts) {
+  std::vector<ExactEdge> edges;
   const auto add = [&edges](const Polygon& ring) {
     for (std::size_t k = 0; k < ring.size(); ++k) edges.push_back({ring[k], ring[(k + 1) % ring.size()]});
   };
   if (body.parts.empty()) {
-    if (body.polygon.empty()) refuse_exactly(body.name, "prepared shapes without their polygons");
-    return add(body.polygon);
+    add(body.polygon);
+    return edges;
   }
-  for (const Part& part : body.parts) {
-    add(part.outline);
-    for (const Polygon& hole : part.holes) add(hole);
+  for (const std::size_t k : parts) {
+    add(body.parts[k].outline);
+    for (const Polygon& hole : body.parts[k].holes) add(hole);
   }
+  return edges;
+}
+
+}  // namespace
+
+ExactScene::ExactScene(const Scene& scene) : ignored_(scene) {
+  if (scene.mechanism) refuse_exactly("mechanism", "mechanisms");
+  add_sections(scene);
+  const auto names = bodies_by_name(scene);
+  for (const Body& body : scene.bodies) chains_.push_back(chain_in(scene, names, body));
+  at_rest_ = scene.at_rest == AtRest::test;
+  if (scene.at_rest != AtRest::skip) return;
+  // Where nothing moves against anything else, all is tested.
+  const ExactChain* first = nullptr;
+  at_rest_ = true;
+  for (std::size_t k = 0; k < chains_.size(); ++k) {
+    if (ignored_.has_all(static_cast<int>(k))) continue;
+    if (first && !equal_chains(*first, chains_[k])) at_rest_ = false;
+    if (!first) first = &chains_[k];
+  }
+}
+
+void ExactScene::add_sections(const Scene& scene) {
+  std::vector<Section> others;
+  for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
+    const Body& body = scene.bodies[k];
+    if (!body.curves.empty()) refuse_exactly(body.name, "curves");
+    if (body.parts.empty() && body.polygon.empty()) refuse_exactly(body.name, "prepared shapes without their polygons");
+    bool first = true;
+    for (const CrossSection& section : cross_sections_of(body)) {
+      (first ? sections_ : others).push_back({&body, static_cast<int>(k), section.z, edges_of(body, section.parts)});
+      first = false;
+    }
+  }
+  sections_.insert(sections_.end(), others.begin(), others.end());
 }
 
 bool ExactScene::tested(int a, int b) const {
-  return !ignored_.has(a, b) &&
-         (at_rest_ || !equal_chains(chains_[static_cast<std::size_t>(a)], chains_[static_cast<std::size_t>(b)]));
+  const Section &p = section(a), &q = section(b);
+  if (p.in_scene == q.in_scene || !p.z.meet(q.z) || ignored_.has(p.in_scene, q.in_scene)) return false;
+  return at_rest_ || !equal_chains(chain(a), chain(b));
 }
 
 std::array<ExactChain, 2> ExactScene::relative_chains(int a, int b) const {
-  const ExactChain &p = chains_[static_cast<std::size_t>(a)], &q = chains_[static_cast<std::size_t>(b)];
+  const ExactChain &p = chain(a), &q = chain(b);
   std::size_t common = 0;
   while (common < p.size() && common < q.size() && equal_motions(*p[common], *q[common]) && turns_regularly(*p[common]))
     ++common;

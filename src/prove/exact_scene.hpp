@@ -22,23 +22,33 @@ struct LocalPlacement {
   LocalModel x, y, cosine, sine;
 };
 
-/// A scene that exact logs cover. It must outlive this object.
+/// A scene that exact logs cover. It must outlive this object. A body with parts on different layers is several ones,
+/// its cross-sections: the lowest one has the body's number, the others follow after the last body.
 class ExactScene {
  public:
-  /// Throws InputError for what they do not cover: curves, layers, mechanisms. The scene must be valid.
+  /// Throws InputError for what they do not cover: curves, mechanisms. The scene must be valid.
   explicit ExactScene(const Scene& scene);
 
-  int size() const { return static_cast<int>(edges_.size()); }
-  const std::vector<ExactEdge>& edges(int body) const { return edges_[static_cast<std::size_t>(body)]; }
+  int size() const { return static_cast<int>(sections_.size()); }
+  const std::vector<ExactEdge>& edges(int body) const { return section(body).edges; }
+  const std::string& name(int body) const { return section(body).body->name; }
   bool tested(int a, int b) const;
   /// The chains of two bodies as seen from their last common ancestor.
   std::array<ExactChain, 2> relative_chains(int a, int b) const;
 
  private:
-  void add_edges(const Body& body);
+  struct Section {
+    const Body* body;
+    int in_scene;
+    Layers z;
+    std::vector<ExactEdge> edges;
+  };
+  const Section& section(int body) const { return sections_[static_cast<std::size_t>(body)]; }
+  const ExactChain& chain(int body) const { return chains_[static_cast<std::size_t>(section(body).in_scene)]; }
+  void add_sections(const Scene& scene);
 
-  std::vector<std::vector<ExactEdge>> edges_;
-  std::vector<ExactChain> chains_;
+  std::vector<Section> sections_;
+  std::vector<ExactChain> chains_;  ///< of the scene's bodies
   IgnoredPairs ignored_;
   bool at_rest_ = false;
 };

@@ -23,7 +23,7 @@ constexpr double before_contact = 0x1p-10;
 
 /// Thrown where no windows are found.
 struct NoWindows {
-  int a, b;
+  std::string a, b;
   double time;
 };
 
@@ -80,7 +80,7 @@ class ExactWriter {
     }
     const double middle = from + (to - from) / 2;
     if (depth == most_halvings || !(from < middle && middle < to) || windows_ > most_windows)
-      throw NoWindows{a, b, from};
+      throw NoWindows{exact_.name(a), exact_.name(b), from};
     window(a, b, chains, from, middle, depth + 1, text);
     window(a, b, chains, middle, to, depth + 1, text);
   }
@@ -151,9 +151,7 @@ Answer prove_exact(const Scene& scene, std::ostream& log, const CheckOptions& gi
       if (answer.outcome != Outcome::free) answer.free_until = until;
     }
   } catch (const NoWindows& none) {
-    give_up("between " + scene.bodies[static_cast<std::size_t>(none.a)].name + " and " +
-            scene.bodies[static_cast<std::size_t>(none.b)].name +
-            " there is too little room at t = " + std::to_string(none.time));
+    give_up("between " + none.a + " and " + none.b + " there is too little room at t = " + std::to_string(none.time));
   }
   return answer;
 }

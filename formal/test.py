@@ -1,0 +1,319 @@
+#!/usr/bin/env python3
+"""taut-verified on real and random scenes: it reads them as taut does, accepts the logs that taut writes, and of damaged
+logs only those that still claim what is true.
+
+usage: test.py REPOSITORY [COUNT]     with COUNT random scenes (400), and ten damaged logs for each"""
+
+import collections
+import copy
+import json
+import random
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+repository = Path(sys.argv[1]).resolve()
+count = int(sys.argv[2]) if len(sys.argv) > 2 else 400
+taut = repository / "build/release/taut"
+exact_logs = repository / "build/release/tests/taut_exact_logs"
+verified = repository / "formal/build/taut-verified"
+folder = Path(tempfile.mkdtemp(prefix="taut-formal-"))
+accepted, rejected, malformed, not_covered = 0, 1, 2, 3
+failures = []
+
+
+def fail(what):
+    failures.append(what)
+    print("FAILED:", what)
+
+
+def verify(scene, log):
+    """The exit code: scene is a path or JSON, log is JSON or text."""
+    if not isinstance(scene, Path):
+        (folder / "scene.json").write_text(json.dumps(scene))
+        scene = folder / "scene.json"
+    (folder / "log").write_text(log if isinstance(log, str) else json.dumps(log))
+    done = subprocess.run([verified, scene, folder / "log"], capture_output=True, text=True)
+    if done.returncode not in (accepted, rejected, malformed, not_covered):
+        fail(f"exit code {done.returncode}: {done.stderr}")
+    return done.returncode
+
+
+def listed_scenes():
+    files = []
+    for where in ("../shared/scenes", "../shared/worlds", "examples", "examples/worlds", "tests/corpus", "tests/corpus/worlds"):
+        files += sorted((repository / where).glob("*.json"))
+    for file in files:
+        if file.name.endswith("answer.json"):
+            continue
+        try:
+            value = json.loads(file.read_text())
+        except ValueError:
+            continue
+        if isinstance(value, dict) and "bodies" in value:
+            yield file
+
+
+# What taut read, as print_scene.ml has it.
+
+def plain_piece(piece, last):
+    rotation = piece.get("rotation")
+    turns = bool(rotation) or "orbit" in piece
+    plain = {"x": piece.get("x", []), "y": piece.get("y", []), "rotation": rotation, "origin": piece.get("origin", 0),
+             "pivot": piece.get("pivot", [0, 0]) if turns else [0, 0]}
+    if "orbit" in piece:
+        plain["orbit"] = piece["orbit"]
+    if not last:
+        plain["until"] = piece["until"]
+    return plain
+
+
+def plain_motion(motion):
+    if motion is None:
+        return []
+    pieces = motion if isinstance(motion, list) else [motion]
+    return [plain_piece(p, p is pieces[-1]) for p in pieces]
+
+
+def rests(motion):
+    return all(not p["x"] and not p["y"] and not p["rotation"] and "orbit" not in p for p in motion)
+
+
+def parts_of(body):
+    everywhere = body.get("z", [None, None])
+    parts = []
+    for part in body["parts"] if "parts" in body else [body["polygon"]]:
+        if isinstance(part, list):
+            part = {"outline": part}
+        lo, hi = part.get("z", everywhere)
+        parts.append(([part["outline"], *part.get("holes", [])],
+                      (float("-inf") if lo is None else lo, float("inf") if hi is None else hi)))
+    return parts
+
+
+def sections_of(body):
+    """Distinct sets of parts, from the lowest height up: at each height between two ends of layers."""
+    parts = parts_of(body)
+    ends = sorted({end for _, z in parts for end in z})
+    found = []
+    for a, b in zip(ends, ends[1:]):
+        inside = [k for k, (_, (lo, hi)) in enumerate(parts) if lo <= a and b <= hi]
+        if not found or found[-1] != inside:
+            found.append(inside)
+    return [[parts[k][0] for k in inside] for inside in found if inside]
+
+
+def as_read_by_taut(scene):
+    bodies = {b["name"]: b for b in scene["bodies"]}
+    lowest, others = [], []
+    for body in scene["bodies"]:
+        chain, at = [], body
+        while True:
+            motion = plain_motion(at.get("motion"))
+            if not rests(motion):
+                chain.insert(0, motion)
+            if "relative_to" not in at:
+                break
+            at = bodies[at["relative_to"]]
+        for k, section in enumerate(sections_of(body)):
+            (others if k else lowest).append({"name": body["name"], "chain": chain, "parts": section})
+    return {"time": scene["time"], "bodies": lowest + others}
+
+
+def without_last_zeros(value):
+    """Polynomials that are the same function are the same here: taut may keep or drop zeros at the end."""
+    if isinstance(value, dict):
+        return {k: without_last_zeros(v) for k, v in value.items()}
+    if isinstance(value, list):
+        return [without_last_zeros(v) for v in value]
+    return value
+
+
+def test_reading():
+    files = list(listed_scenes())
+    lines = subprocess.run([exact_logs, "read", *files], capture_output=True, text=True, check=True).stdout.splitlines()
+    same = refused = 0
+    for line in map(json.loads, lines):
+        done = subprocess.run([verified, "--print", line["file"]], capture_output=True, text=True)
+        if done.returncode == not_covered:
+            refused += 1
+            continue
+        if done.returncode:
+            fail(f"{line['file']}: {done.stderr}")
+            continue
+        read = json.loads(done.stdout)
+        for key, value in as_read_by_taut(line["scene"]).items():
+            if without_last_zeros(read[key]) != without_last_zeros(value):
+                fail(f"{line['file']}: {key} read as {str(read[key])[:300]}, by taut as {str(value)[:300]}")
+                break
+        else:
+            same += 1
+    print(f"reading: {same} scenes as taut reads them, {refused} not covered")
+
+
+def test_listed():
+    tally, seconds = collections.Counter(), [0, 0]
+    for file in listed_scenes():
+        log = folder / "exact.log"
+        log.unlink(missing_ok=True)
+        begin = time.time()
+        done = subprocess.run([taut, "prove", "--exact", file, "-o", log, "--json", "--max-seconds", "20"],
+                              capture_output=True, text=True)
+        seconds[0] += time.time() - begin
+        if not log.exists():
+            outcome = json.loads(done.stdout)["outcome"] if done.stdout else done.stderr.splitlines()[0].split("do not ")[-1]
+            tally["no log: " + outcome] += 1
+            continue
+        begin = time.time()
+        code = subprocess.run([verified, file, log], capture_output=True, text=True).returncode
+        seconds[1] += time.time() - begin
+        tally[f"log, {json.loads(done.stdout)['outcome']}: {['accepted', 'REJECTED', 'MALFORMED', 'not covered'][code]}"] += 1
+        if code not in (accepted, not_covered):
+            fail(f"{file}: its log is not accepted")
+    for what, number in sorted(tally.items()):
+        print(f"listed scenes: {number} {what}")
+    print(f"listed scenes: {seconds[0]:.1f} s for writing logs, {seconds[1]:.1f} s for checking them")
+
+
+def numbers_in(log):
+    """Where the numbers of windows are: lists that have them, and their places."""
+    places = []
+    for pair in log["pairs"]:
+        for window in pair["windows"]:
+            places += [(window, 0), (window, 1)]
+            for step in window[2:]:
+                if isinstance(step, list):
+                    places += [(step, k) for k in range(len(step))]
+    return places
+
+
+def damage(rng, log):
+    """What was done to the log, and what is left of it."""
+    log = copy.deepcopy(log)
+    pair = rng.choice(log["pairs"])
+    window = rng.choice(pair["windows"])
+    lines = [(w, k) for p in log["pairs"] for w in p["windows"] for k in range(2, len(w)) if isinstance(w[k], list)]
+    kind = rng.randrange(10)
+    if kind == 0:
+        pair["windows"].remove(window)
+        return "window left out", log
+    if kind == 1:
+        log["pairs"].remove(pair)
+        return "pair left out", log
+    if kind == 2:
+        log["until"] += abs(log["until"] or 1) * rng.choice([1e-15, 1e-3, 1])
+        return "later end", log
+    if kind == 3:
+        where, k = rng.choice(numbers_in(log))
+        where[k] += rng.choice([-1, 1]) * abs(where[k] or 1) * 2.0 ** -rng.randrange(1, 30)
+        return "number", log
+    if kind == 4:
+        where, k = rng.choice(lines)
+        where[k][:2] = [-where[k][0], -where[k][1]]
+        return "direction turned round", log
+    if kind == 5:
+        where, k = rng.choice(lines)
+        other, m = rng.choice(lines)
+        where[k], other[m] = other[m], where[k]
+        return "lines exchanged", log
+    if kind == 6:
+        k = rng.randrange(2, len(window))
+        if not isinstance(window[k], list):
+            window[k] = 3 - window[k]
+        else:
+            window.insert(k, rng.choice([1, 2]))
+            window.insert(k + 1, window[k + 1])
+        return "halving", log
+    if kind == 7:
+        pair["pair"] = pair["pair"][::-1] if rng.random() < 0.5 else [pair["pair"][0], pair["pair"][1] + 1]
+        return "other pair", log
+    if kind == 8:
+        where, k = rng.choice(lines)
+        where[k] += [rng.uniform(-1, 1) * 2.0 ** -rng.randrange(0, 20)]
+        return "level bent", log
+    window[0], window[1] = (rng.choice(pair["windows"])[0], window[1]) if rng.random() < 0.5 else (window[0], rng.choice(pair["windows"])[1])
+    return "window's end", log
+
+
+def test_random():
+    rng = random.Random(1)
+    tally, damaged, before = collections.Counter(), collections.Counter(), None
+    made = subprocess.Popen([exact_logs, "random", str(count)], stdout=subprocess.PIPE, text=True)
+    for line in made.stdout:
+        given = json.loads(line)
+        scene, log = given["scene"], given["log"]
+        if log is None:
+            tally["no log: " + given["outcome"]] += 1
+            continue
+        code = verify(scene, log)
+        tally[["accepted", "REJECTED", "MALFORMED", "not covered"][code] + ", " + given["known"]] += 1
+        if code != accepted:
+            fail(f"the log of a random scene has exit code {code}: {json.dumps(scene)[:2000]}")
+            continue
+        if not any("z" in str(b.keys()) for b in scene["bodies"]) and '"z"' not in line and len(log["pairs"]) < given["pairs"]:
+            fail(f"{len(log['pairs'])} pairs are proved, and taut tests {given['pairs']}")
+        for _ in range(10):
+            what, bad = damage(rng, log)
+            code = verify(scene, bad)
+            damaged[what, code == accepted] += 1
+            if code == accepted and given["known"] != "free" and bad["until"] > given["until"]:
+                fail(f"accepted: {what}: {json.dumps(bad)[:1000]} about {json.dumps(scene)[:1000]}")
+            if code == accepted and what in ("window left out", "pair left out") and what == "pair left out":
+                fail(f"accepted: {what}")
+        if before and verify(scene, before) == accepted:
+            damaged["log of another scene", True] += 1
+        text = json.dumps(log)
+        if verify(scene, text[: rng.randrange(len(text))]) != malformed:
+            fail("a log that ends too early is not refused")
+        before = log
+    made.wait()
+    if made.returncode:
+        fail(f"{exact_logs.name}: exit code {made.returncode}")
+    for what, number in sorted(tally.items()):
+        print(f"random scenes: {number} {what}")
+    for what in sorted({w for w, _ in damaged}):
+        print(f"damaged logs: {what}: {damaged[what, False]} rejected, {damaged[what, True]} still proofs of what is true")
+
+
+def test_touching():
+    """Bodies that meet are never accepted, whatever the log says: here, what would do if they were apart."""
+    square = [[0, 0], [1, 0], [1, 1], [0, 1]]
+    moved = {"name": "b", "polygon": square, "motion": {"x": [1]}}
+    scene = {"format": "taut-scene/1", "time": [0, 1], "at_rest": "test", "bodies": [{"name": "a", "polygon": square}, moved]}
+    log = {"format": "taut-exact/1", "until": 1, "pairs": [{"pair": [0, 1], "windows": [[0, 1, [1, 0, 1]]]}]}
+    if verify(scene, log) != rejected:
+        fail("bodies that touch are accepted")
+    moved["motion"]["x"] = [1 + 2.0 ** -40]
+    log["pairs"][0]["windows"][0][2] = [1, 0, 1 + 2.0 ** -41]
+    if verify(scene, log) != accepted:
+        fail("bodies with room are not accepted")
+    # One inside of the other: no edges meet.
+    moved["polygon"], moved["motion"]["x"] = [[0.25, 0.25], [0.75, 0.25], [0.75, 0.75], [0.25, 0.75]], [0]
+    inside = [1, 2, [-1, 0, -0.9], [0, -1, -0.1]]
+    steps = []
+
+    def all_pairs():
+        """Each edge of the outer square against the inner one as a whole."""
+        normals = {0: [0, 1, 0.1], 1: [-1, 0, -0.9], 2: [0, -1, -0.9], 3: [1, 0, 0.1]}
+        return [1, 1, normals[0], normals[1], 1, normals[2], normals[3]]
+    del inside, steps
+    log["pairs"][0]["windows"][0] = [0, 1, *all_pairs()]
+    if verify(scene, log) != rejected:
+        fail("a body inside of another one is accepted")
+    # The same with a hole around it.
+    scene["bodies"][0]["polygon"] = {"outline": [[-1, -1], [2, -1], [2, 2], [-1, 2]], "holes": [square]}
+    outer = {0: [0, 1, -0.5], 1: [-1, 0, -1.5], 2: [0, -1, -1.5], 3: [1, 0, -0.5]}
+    log["pairs"][0]["windows"][0] = [0, 1, 1, 1, 1, outer[0], outer[1], 1, outer[2], outer[3], *all_pairs()]
+    if verify(scene, log) != accepted:
+        fail("a body in a hole is not accepted")
+
+
+test_touching()
+test_reading()
+test_listed()
+test_random()
+if failures:
+    sys.exit(f"{len(failures)} failures")
+print("all as it should be")
