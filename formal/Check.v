@@ -98,11 +98,6 @@ Definition fractions : list number := [Number 391 (-10); Number 633 (-10)].
 Definition spot_between (k : number) (u v : spot) : spot :=
   (madd (fst u) (mscale k (msub (fst v) (fst u))), madd (snd u) (mscale k (msub (snd v) (snd u)))).
 
-(** The model at h = 0 alone. *)
-Definition at_middle (M : model) : model := Model (firstn 1 (poly_of M)) (slack M).
-Definition middle_of (P : placement) : placement :=
-  Placement (at_middle (ox P)) (at_middle (oy P)) (at_middle (co P)) (at_middle (si P)).
-
 Definition spots (P : placement) (e : vertex * vertex) : spot * spot := (place_vertex P (fst e), place_vertex P (snd e)).
 
 Definition ring_outside (P : placement) (r : list vertex) (others : list (list (spot * spot))) : bool :=
@@ -125,6 +120,13 @@ Definition outside (P Q : placement) (s t : list (list (list vertex))) : bool :=
 Definition is_line (s : separation) : bool := match s with Line _ _ => true | _ => false end.
 Definition edges_of (b : body) : list (vertex * vertex) := flat_map all_edges_of (shape b).
 
+(** Whether all rings are outside of the other body in the middle of a window. *)
+Definition outside_in_the_middle (ca cb : list motion) (a b : body) (w : window) (middle : number) : bool :=
+  match chain_model (opens w) (closes w) middle zero ca, chain_model (opens w) (closes w) middle zero cb with
+  | Some (P, _), Some (Q, _) => outside P Q (shape a) (shape b) && outside Q P (shape b) (shape a)
+  | _, _ => false
+  end.
+
 (** Whether two chains and shapes are apart throughout a window; and whether its pieces hold at its end, too. *)
 Definition check_window (ca cb : list motion) (a b : body) (ea eb : list (vertex * vertex)) (w : window) : option bool :=
   let middle := half (add (opens w) (closes w)) in
@@ -132,10 +134,7 @@ Definition check_window (ca cb : list motion) (a b : body) (ea eb : list (vertex
   if at_most zero r then
     match chain_model (opens w) (closes w) middle r ca, chain_model (opens w) (closes w) middle r cb with
     | Some (P, closed), Some (Q, closed') =>
-        if separated r P Q ea eb (how w) &&
-           (is_line (how w) ||
-            (let P0 := middle_of P in let Q0 := middle_of Q in
-             outside P0 Q0 (shape a) (shape b) && outside Q0 P0 (shape b) (shape a)))
+        if separated r P Q ea eb (how w) && (is_line (how w) || outside_in_the_middle ca cb a b w middle)
         then Some (closed && closed') else None
     | _, _ => None
     end

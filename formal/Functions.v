@@ -10,7 +10,8 @@ Definition widen (e : number) (M : model) : model := Model (poly_of M) (round_up
 Definition inverse (n : Z) : model := Model [Number (Z.div (Z.shiftl 1 120) n) (-120)] (Number 1 (-120)).
 Definition square (a : number) : number := mul a a.
 
-(** Sine and cosine where |x| <= 1. *)
+(** Sine and cosine where |x| <= 2. *)
+Definition largest_angle := Number 1 1.
 Definition sin_small (r : number) (X : model) : model :=
   let b := round_up (bound r X) in
   let y := mmul r X X in
@@ -35,13 +36,13 @@ Definition halvings (a : number) : nat :=
 Definition cos_sin_number (r a : number) : option (model * model) :=
   let n := halvings a in
   let X := constant (iterate n half a) in
-  if at_most (round_up (bound r X)) one then Some (iterate n (double_angle r) (cos_small r X, sin_small r X)) else None.
+  if at_most (round_up (bound r X)) largest_angle then Some (iterate n (double_angle r) (cos_small r X, sin_small r X)) else None.
 
 (** Of a function, by its value at h = 0 and what is added to it. *)
 Definition cos_sin_model (r : number) (X : model) : option (model * model) :=
   let a := match poly_of X with [] => zero | a :: _ => a end in
   let D := msub X (constant a) in
-  if at_most (round_up (bound r D)) one && Nat.leb (halvings a) 200 then
+  if at_most (round_up (bound r D)) largest_angle && Nat.leb (halvings a) 200 then
     match cos_sin_number r a with
     | None => None
     | Some (c0, s0) =>
@@ -153,7 +154,7 @@ Opaque value.
 Lemma factorial n z : Z.of_nat (fact n) = z -> INR (fact n) = IZR z.
 Proof. intros <-. apply INR_IZR_INZ. Qed.
 
-Lemma sin_series x : 0 <= x <= 1 -> Rabs (sin x - x * (1 - x * x * / 6 * (1 - x * x * / 20))) <= / 4096 * (x * (x * x * (x * x * (x * x)))).
+Lemma sin_series x : 0 <= x <= 2 -> Rabs (sin x - x * (1 - x * x * / 6 * (1 - x * x * / 20))) <= / 4096 * (x * (x * x * (x * x * (x * x)))).
 Proof.
   intros H. destruct (pre_sin_bound x 1) as [L _]; [lra|lra|]. destruct (pre_sin_bound x 0) as [_ U]; [lra|lra|].
   unfold sin_approx, sin_term in L, U. cbn [sum_f_R0 Nat.mul Nat.add] in L, U.
@@ -165,7 +166,7 @@ Proof.
   - eapply Rle_trans; [apply Rplus_le_compat_r, U|]. field_simplify. field_simplify in P. lra.
 Qed.
 
-Lemma cos_series x : -1 <= x <= 1 ->
+Lemma cos_series x : -2 <= x <= 2 ->
   Rabs (cos x - (1 - x * x * / 2 * (1 - x * x * / 12 * (1 - x * x * / 30)))) <= / 32768 * (x * x * (x * x) * (x * x * (x * x))).
 Proof.
   intros H. destruct (pre_cos_bound x 1) as [L U]; [lra|lra|].
@@ -196,10 +197,10 @@ Section Correctness.
   Lemma one_near : near r (fun _ => 1) (constant one).
   Proof. apply (near_ext r (fun _ => value one)); [intros; apply value_one|apply near_constant]. Qed.
 
-  Lemma near_sin_small f X : near r f X -> at_most (round_up (bound r X)) one = true ->
+  Lemma near_sin_small f X : near r f X -> at_most (round_up (bound r X)) largest_angle = true ->
     near r (fun h => sin (f h)) (sin_small r X).
   Proof.
-    intros F B. apply at_most_correct in B. rewrite value_one in B. unfold sin_small.
+    intros F B. apply at_most_correct in B. unfold largest_angle in B. rewrite value_two in B. unfold sin_small.
     apply (near_widen r (fun h => f h * (1 - f h * f h * / IZR 6 * (1 - f h * f h * / IZR 20 * 1)))).
     - apply near_mmul; auto. apply (near_one_less (fun h => f h * f h)); [apply near_mmul; auto|lia|].
       apply (near_one_less (fun h => f h * f h)); [apply near_mmul; auto|lia|apply one_near].
@@ -216,10 +217,10 @@ Section Correctness.
       pose proof (Rabs_pos x). repeat (apply Rmult_le_compat; try (repeat apply Rmult_le_pos; auto; fail); auto).
   Qed.
 
-  Lemma near_cos_small f X : near r f X -> at_most (round_up (bound r X)) one = true ->
+  Lemma near_cos_small f X : near r f X -> at_most (round_up (bound r X)) largest_angle = true ->
     near r (fun h => cos (f h)) (cos_small r X).
   Proof.
-    intros F B. apply at_most_correct in B. rewrite value_one in B. unfold cos_small.
+    intros F B. apply at_most_correct in B. unfold largest_angle in B. rewrite value_two in B. unfold cos_small.
     apply (near_widen r (fun h => 1 - f h * f h * / IZR 2 * (1 - f h * f h * / IZR 12 * (1 - f h * f h * / IZR 30 * 1)))).
     - apply (near_one_less (fun h => f h * f h)); [apply near_mmul; auto|lia|].
       apply (near_one_less (fun h => f h * f h)); [apply near_mmul; auto|lia|].
@@ -262,7 +263,7 @@ Section Correctness.
     near r (fun _ => cos (value a)) c /\ near r (fun _ => sin (value a)) s.
   Proof.
     unfold cos_sin_number. set (n := halvings a). set (X := constant (iterate n half a)).
-    destruct (at_most (round_up (bound r X)) one) eqn:B; [|discriminate]. intros E.
+    destruct (at_most (round_up (bound r X)) largest_angle) eqn:B; [|discriminate]. intros E.
     assert (N : near r (fun _ => value (iterate n half a)) X) by apply near_constant.
     pose proof (near_doubled n _ (cos_small r X, sin_small r X) (near_cos_small _ X N B) (near_sin_small _ X N B)) as D.
     injection E; intros E'. rewrite E' in D. rewrite iterate_half in D. exact D.
@@ -273,7 +274,7 @@ Section Correctness.
   Proof.
     intros F. unfold cos_sin_model. set (a := match poly_of X with [] => zero | a :: _ => a end).
     set (D := msub X (constant a)).
-    destruct (at_most (round_up (bound r D)) one) eqn:B; [|discriminate]. destruct (Nat.leb (halvings a) 200); [|discriminate]. simpl.
+    destruct (at_most (round_up (bound r D)) largest_angle) eqn:B; [|discriminate]. destruct (Nat.leb (halvings a) 200); [|discriminate]. simpl.
     destruct (cos_sin_number r a) as [[c0 s0]|] eqn:E; [|discriminate]. intros I; injection I; intros <- <-; clear I.
     destruct (near_cos_sin_number a c0 s0 E) as [C0 S0].
     assert (ND : near r (fun h => f h - value a) D) by (apply near_msub; auto; apply near_constant).

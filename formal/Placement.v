@@ -327,19 +327,32 @@ Lemma in_window_weaken a b closed closed' after t : (closed = true -> closed' = 
   in_window a b closed after t -> in_window a b closed' after t.
 Proof. unfold in_window. intuition. Qed.
 
-(** The frames of a chain, for both sides of all instants of a window. *)
+(** The frame that the pieces of a window give at an instant. *)
+Fixpoint chain_frame (a b : number) (c : list motion) (t : R) : frame :=
+  match c with
+  | [] => identity
+  | m :: rest =>
+      match locate a b m with
+      | Some (p, _) => match rest with [] => frame_of p t | _ => compose (frame_of p t) (chain_frame a b rest t) end
+      | None => identity
+      end
+  end.
+
+(** It is what the model is of, and where the chain puts a body, for both sides of all instants of a window. *)
 Lemma chain_correct a b middle r c P closed : 0 <= value r -> chain_model a b middle r c = Some (P, closed) ->
-  exists F, near_frame r F P /\ (forall h, Rabs h <= value r -> proper (F h)) /\
-    forall h after q, in_window a b closed after (value middle + h) -> placed after c (value middle + h) q = apply (F h) q.
+  near_frame r (fun h => chain_frame a b c (value middle + h)) P /\
+  (forall h, Rabs h <= value r -> proper (chain_frame a b c (value middle + h))) /\
+  forall h after q, in_window a b closed after (value middle + h) ->
+    placed after c (value middle + h) q = apply (chain_frame a b c (value middle + h)) q.
 Proof.
   intros R. revert P closed; induction c as [|m c IH]; intros P closed.
-  - intros [= <- <-]. exists (fun _ => identity). split; [apply near_identity; auto|]. split.
+  - intros [= <- <-]. split; [apply near_identity; auto|]. split.
     + intros; apply proper_identity.
-    + intros. rewrite apply_identity. reflexivity.
-  - cbn [chain_model]. destruct (locate a b m) as [[p closed1]|] eqn:L; [|discriminate].
+    + intros. cbn [chain_frame]. rewrite apply_identity. reflexivity.
+  - cbn [chain_model chain_frame]. destruct (locate a b m) as [[p closed1]|] eqn:L; [|discriminate].
     destruct (chain_model a b middle r c) as [[Q closed2]|]; [|discriminate].
     destruct (piece_model middle r p) as [P'|] eqn:M; [|discriminate]. intros E.
-    destruct (near_piece r R middle p P' M) as [N Pr]. destruct (IH Q closed2 eq_refl) as (G & NG & PG & AG).
+    destruct (near_piece r R middle p P' M) as [N Pr]. destruct (IH Q closed2 eq_refl) as (NG & PG & AG).
     assert (Fo : forall h after q, in_window a b closed after (value middle + h) ->
                  placed after (m :: c) (value middle + h) q = apply (frame_of p (value middle + h)) (placed after c (value middle + h) q)).
     { intros h after q W. injection E; intros E1 E2. change (placed after (m :: c) (value middle + h) q) with
@@ -348,9 +361,9 @@ Proof.
       - apply pose_frame.
       - apply (in_window_weaken a b closed); auto. intros ->. destruct closed1; auto. }
     destruct c as [|m' c].
-    + injection E; intros E1 E2. subst P. exists (fun h => frame_of p (value middle + h)). auto.
-    + injection E; intros E1 E2. subst P. exists (fun h => compose (frame_of p (value middle + h)) (G h)).
-      split; [apply near_compose; auto|]. split; [intros; apply proper_compose; auto|].
+    + injection E; intros E1 E2. subst P. auto.
+    + injection E; intros E1 E2. subst P.
+      split; [apply (near_compose r R (fun h => frame_of p (value middle + h))); auto|]. split; [intros; apply proper_compose; auto|].
       intros h after q W. rewrite Fo, apply_compose by auto. f_equal. apply AG.
       apply (in_window_weaken a b closed); auto. intros ->. destruct closed1, closed2; auto.
 Qed.

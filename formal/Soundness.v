@@ -137,16 +137,6 @@ Proof.
   rewrite (IH o eq_refl). f_equal. eapply crosses_spot_correct; eauto.
 Qed.
 
-Lemma near_at_middle r f M : 0 <= value r -> near r f M -> near0 f (at_middle M).
-Proof.
-  intros R N h H. assert (h = 0) by (rewrite value_zero in H; split_Rabs; lra). subst.
-  specialize (N 0). rewrite Rabs_R0 in N. specialize (N R). unfold at_middle; cbn [poly_of slack].
-  replace (eval (firstn 1 (poly_of M)) 0) with (eval (poly_of M) 0); auto. destruct (poly_of M); simpl; ring.
-Qed.
-
-Lemma near_middle_of r F P : 0 <= value r -> near_frame r F P -> near_frame zero F (middle_of P).
-Proof. intros R (A & B & C & D). repeat split; simpl; apply (near_at_middle r); auto. Qed.
-
 Lemma near_place_vertex F P v : near_frame zero F P -> near_spot (fun h => place F h v) (place_vertex P v).
 Proof.
   intros (X & Y & C & S). unfold place_vertex, near_spot; cbn [fst snd]. split.
@@ -248,6 +238,21 @@ Proof. unfold placed_part. rewrite map_map. apply map_ext. intros rg. rewrite ma
 Definition covered (c : list motion) (b : body) (after : bool) (t : R) (z : point) : Prop :=
   exists p q, In p (shape b) /\ in_part q (map (map values) p) /\ z = placed after c t q.
 
+(** Two parts that a separation with halves keeps apart. *)
+Lemma parts_apart r F G h s t P0 Q0 p q ea eb : 0 <= value r -> Rabs h <= value r ->
+  near_frame zero F P0 -> near_frame zero G Q0 -> outside P0 Q0 s t = true -> outside Q0 P0 t s = true ->
+  (forall e f, In e ea -> In f eb -> kept_apart r F G e f) -> In p s -> In q t ->
+  (forall e, In e (all_edges_of p) -> In e ea) -> (forall e, In e (all_edges_of q) -> In e eb) ->
+  forall z, ~ (in_part z (placed_part F h p) /\ in_part z (placed_part G h q)).
+Proof.
+  intros R H MF MG O1 O2 K Hp Hq Ea Eb. apply parts_disjoint.
+  - apply (kept_apart_parts r); auto.
+  - apply (outside_kept r); auto. intros. eapply (outside_correct F G P0 Q0 s t); eauto.
+  - apply (outside_kept r); auto.
+    + intros e f He Hf. apply kept_apart_sym. auto.
+    + intros. eapply (outside_correct G F Q0 P0 t s); eauto.
+Qed.
+
 Lemma check_window_correct ca cb a b w closed :
   check_window ca cb a b (edges_of a) (edges_of b) w = Some closed ->
   forall t after, in_window (opens w) (closes w) closed after t -> forall z, ~ (covered ca a after t z /\ covered cb b after t z).
@@ -257,9 +262,11 @@ Proof.
   destruct (chain_model _ _ mid r ca) as [[P c1]|] eqn:CA; [|discriminate].
   destruct (chain_model _ _ mid r cb) as [[Q c2]|] eqn:CB; [|discriminate].
   destruct (separated r P Q (edges_of a) (edges_of b) (how w)) eqn:S; [|discriminate].
-  destruct (is_line (how w) || _) eqn:O; [|discriminate]. intros [= <-].
-  destruct (chain_correct _ _ _ _ _ _ _ R0 CA) as (F & NF & PF & AF).
-  destruct (chain_correct _ _ _ _ _ _ _ R0 CB) as (G & NG & PG & AG).
+  destruct (is_line (how w) || outside_in_the_middle ca cb a b w mid) eqn:O; [|discriminate]. intros [= <-].
+  destruct (chain_correct _ _ _ _ _ _ _ R0 CA) as (NF & PF & AF).
+  destruct (chain_correct _ _ _ _ _ _ _ R0 CB) as (NG & PG & AG).
+  set (F := fun h => chain_frame (opens w) (closes w) ca (value mid + h)) in *.
+  set (G := fun h => chain_frame (opens w) (closes w) cb (value mid + h)) in *.
   intros t after W z [(p & x & Hp & Ix & Ex) (q & y & Hq & Iy & Ey)].
   set (h := t - value mid). assert (T : t = value mid + h) by (unfold h; ring).
   assert (H : Rabs h <= value r).
@@ -268,39 +275,26 @@ Proof.
   clearbody h. subst t.
   rewrite (AF h after x) in Ex by (apply (in_window_weaken _ _ (c1 && c2)); auto; destruct c1; auto).
   rewrite (AG h after y) in Ey by (apply (in_window_weaken _ _ (c1 && c2)); auto; destruct c1, c2; auto).
-  assert (Jp : in_part z (placed_part F h p)) by (rewrite Ex, placed_part_turned; apply in_part_turned; auto).
-  assert (Jq : in_part z (placed_part G h q)) by (rewrite Ey, placed_part_turned; apply in_part_turned; auto).
-  destruct (how w) as [n level|s1 s2|s1 s2] eqn:HW.
-  - destruct (line_correct r R0 F G P Q NF NG n level _ _ S h H) as [A B].
+  change (z = apply (F h) x) in Ex. change (z = apply (G h) y) in Ey.
+  assert (Jp : in_part z (placed_part F h p)) by (rewrite Ex, placed_part_turned; apply in_part_turned; auto; apply PF; auto).
+  assert (Jq : in_part z (placed_part G h q)) by (rewrite Ey, placed_part_turned; apply in_part_turned; auto; apply PG; auto).
+  destruct (is_line (how w)) eqn:HW.
+  - destruct (how w) as [n level| |] eqn:HL; try discriminate.
+    destruct (line_correct r R0 F G P Q NF NG n level _ _ S h H) as [A B].
     apply (parts_on_sides (values n) (eval level h) (placed_part F h p) (placed_part G h q)) with (z := z); auto.
     + intros e He. rewrite all_edges_placed in He. apply in_map_iff in He. destruct He as (e' & <- & He).
       apply A. eapply in_edges_of; eauto.
     + intros e He. rewrite all_edges_placed in He. apply in_map_iff in He. destruct He as (e' & <- & He).
       apply B. eapply in_edges_of; eauto.
-  - rewrite <- HW in *. assert (O' : outside (middle_of P) (middle_of Q) (shape a) (shape b) &&
-                                      outside (middle_of Q) (middle_of P) (shape b) (shape a) = true) by (rewrite HW in O; exact O).
-    apply andb_prop in O'. destruct O' as [O1 O2].
-    pose proof (near_middle_of r F P R0 NF) as MF. pose proof (near_middle_of r G Q R0 NG) as MG.
-    assert (K : forall e f, In e (all_edges_of p) -> In f (all_edges_of q) -> kept_apart r F G e f).
-    { intros e f He Hf. eapply separated_correct; eauto; eapply in_edges_of; eauto. }
-    apply (parts_disjoint (placed_part F h p) (placed_part G h q)) with (z := z); auto.
-    + apply (kept_apart_parts r); auto.
-    + apply (outside_kept r); auto. intros. eapply outside_correct; eauto.
-    + apply (outside_kept r); auto.
-      * intros e f He Hf. apply kept_apart_sym. auto.
-      * intros. eapply outside_correct; eauto.
-  - rewrite <- HW in *. assert (O' : outside (middle_of P) (middle_of Q) (shape a) (shape b) &&
-                                      outside (middle_of Q) (middle_of P) (shape b) (shape a) = true) by (rewrite HW in O; exact O).
-    apply andb_prop in O'. destruct O' as [O1 O2].
-    pose proof (near_middle_of r F P R0 NF) as MF. pose proof (near_middle_of r G Q R0 NG) as MG.
-    assert (K : forall e f, In e (all_edges_of p) -> In f (all_edges_of q) -> kept_apart r F G e f).
-    { intros e f He Hf. eapply separated_correct; eauto; eapply in_edges_of; eauto. }
-    apply (parts_disjoint (placed_part F h p) (placed_part G h q)) with (z := z); auto.
-    + apply (kept_apart_parts r); auto.
-    + apply (outside_kept r); auto. intros. eapply outside_correct; eauto.
-    + apply (outside_kept r); auto.
-      * intros e f He Hf. apply kept_apart_sym. auto.
-      * intros. eapply outside_correct; eauto.
+  - cbn [orb] in O. unfold outside_in_the_middle in O.
+    destruct (chain_model _ _ mid zero ca) as [[P0 c3]|] eqn:CA0; [|discriminate].
+    destruct (chain_model _ _ mid zero cb) as [[Q0 c4]|] eqn:CB0; [|discriminate].
+    apply andb_prop in O. destruct O as [O1 O2].
+    destruct (chain_correct _ _ _ _ _ _ _ zero_nonneg CA0) as (MF & _). destruct (chain_correct _ _ _ _ _ _ _ zero_nonneg CB0) as (MG & _).
+    apply (parts_apart r F G h (shape a) (shape b) P0 Q0 p q (edges_of a) (edges_of b)) with (z := z); auto.
+    + intros e f He Hf. eapply separated_correct; eauto.
+    + intros e He. eapply in_edges_of; eauto.
+    + intros e He. eapply in_edges_of; eauto.
 Qed.
 
 Lemma check_windows_correct check (safe : R -> bool -> Prop) stop l :

@@ -122,15 +122,6 @@ def as_read_by_taut(scene):
     return {"time": scene["time"], "bodies": lowest + others}
 
 
-def without_last_zeros(value):
-    """Polynomials that are the same function are the same here: taut may keep or drop zeros at the end."""
-    if isinstance(value, dict):
-        return {k: without_last_zeros(v) for k, v in value.items()}
-    if isinstance(value, list):
-        return [without_last_zeros(v) for v in value]
-    return value
-
-
 def test_reading():
     files = list(listed_scenes())
     lines = subprocess.run([exact_logs, "read", *files], capture_output=True, text=True, check=True).stdout.splitlines()
@@ -145,7 +136,7 @@ def test_reading():
             continue
         read = json.loads(done.stdout)
         for key, value in as_read_by_taut(line["scene"]).items():
-            if without_last_zeros(read[key]) != without_last_zeros(value):
+            if read[key] != value:
                 fail(f"{line['file']}: {key} read as {str(read[key])[:300]}, by taut as {str(value)[:300]}")
                 break
         else:
@@ -231,7 +222,7 @@ def damage(rng, log):
         return "other pair", log
     if kind == 8:
         where, k = rng.choice(lines)
-        where[k] += [rng.uniform(-1, 1) * 2.0 ** -rng.randrange(0, 20)]
+        where[k] += [rng.uniform(-1, 1) * abs(complex(*where[k][:2])) * 2.0 ** rng.randrange(-20, 3)]
         return "level bent", log
     window[0], window[1] = (rng.choice(pair["windows"])[0], window[1]) if rng.random() < 0.5 else (window[0], rng.choice(pair["windows"])[1])
     return "window's end", log
@@ -291,14 +282,10 @@ def test_touching():
         fail("bodies with room are not accepted")
     # One inside of the other: no edges meet.
     moved["polygon"], moved["motion"]["x"] = [[0.25, 0.25], [0.75, 0.25], [0.75, 0.75], [0.25, 0.75]], [0]
-    inside = [1, 2, [-1, 0, -0.9], [0, -1, -0.1]]
-    steps = []
-
     def all_pairs():
         """Each edge of the outer square against the inner one as a whole."""
         normals = {0: [0, 1, 0.1], 1: [-1, 0, -0.9], 2: [0, -1, -0.9], 3: [1, 0, 0.1]}
         return [1, 1, normals[0], normals[1], 1, normals[2], normals[3]]
-    del inside, steps
     log["pairs"][0]["windows"][0] = [0, 1, *all_pairs()]
     if verify(scene, log) != rejected:
         fail("a body inside of another one is accepted")

