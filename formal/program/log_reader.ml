@@ -3,6 +3,9 @@ open Taut_check
 
 let number = Scene_reader.number
 
+(* Logs may be long: not by recursion. *)
+let map f l = List.rev (List.rev_map f l)
+
 (* In preorder: 1 and 2 halve the first and the second range of edges, a line ends a branch. *)
 let rec separation = function
   | Json.Number 1. :: rest -> let a, rest = separation rest in let b, rest = separation rest in (FirstHalves (a, b), rest)
@@ -27,8 +30,8 @@ let read text =
   let m = Json.members "log" [ "format"; "until"; "pairs" ] (Json.parse text) in
   if Json.get "log" m "format" <> Json.String "taut-exact/1" then Json.error "format" "expected \"taut-exact/1\"";
   { proved_until = number "until" (Json.get "log" m "until");
-    pairs = List.map (fun v ->
+    pairs = map (fun v ->
       let m = Json.members "pairs" [ "pair"; "windows" ] v in
       let a, b = Json.pair "pair" (Json.get "pairs" m "pair") in
-      ((index a, index b), List.map window (Json.list "windows" (Json.get "pairs" m "windows"))))
+      ((index a, index b), map window (Json.list "windows" (Json.get "pairs" m "windows"))))
       (Json.list "pairs" (Json.get "log" m "pairs")) }

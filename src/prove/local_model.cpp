@@ -120,8 +120,11 @@ std::optional<LocalModel> LocalModels::reciprocal_root(const LocalModel& m) cons
 }
 
 LocalModel LocalModels::root(const LocalModel& m) const {
-  if (const auto inverse = reciprocal_root(m)) return product(m, *inverse);
-  const double s = std::sqrt(bound(m));
+  // Here rounding counts: the root of a small difference of numbers near 1 has few digits.
+  const bool clear = m.c[0] > 0x1p-20;
+  const auto inverse = clear ? reciprocal_root(m) : std::nullopt;
+  if (inverse) return product(m, *inverse);
+  const double s = std::sqrt(bound(m) + 0x1p-50);
   LocalModel out = LocalModel::constant(s / 2);
   out.slack = s / 2;
   return out;
