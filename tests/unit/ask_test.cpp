@@ -49,6 +49,19 @@ TEST(Ask, AnswersAsTheFunctions) {
   EXPECT_EQ(json_of("separate", R"({"travel": 2})"), separation_json(scene, separate(scene, near)));
 }
 
+TEST(Ask, ProvesExactly) {
+  const Scene scene = falling_hammer();
+  const Reply proof = ask({.name = "prove", .options = R"({"exact": true})"}, scene);
+  const nlohmann::json log = nlohmann::json::parse(proof.log);
+  EXPECT_EQ(log["format"], "taut-exact/1");
+  EXPECT_LT(log["until"].get<double>(), 8);
+  EXPECT_GT(log["until"].get<double>(), 7.9);
+  EXPECT_EQ(proof.scene_sha256, to_hex(scene_fingerprint(scene, Touch::closed)));
+  // The verifier of other logs says whose it is.
+  const std::string said = ask({.name = "verify", .log = proof.log}, scene).json;
+  EXPECT_NE(said.find("taut-verified"), std::string::npos) << said;
+}
+
 TEST(Ask, ProvesAndVerifies) {
   const Scene scene = falling_hammer();
   for (const auto& [name, options] : {std::pair{"prove", "{}"}, {"prove_clearance", R"({"clearance": 0.5})"}}) {
