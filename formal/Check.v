@@ -23,25 +23,45 @@ Record log := Log { proved_until : number; pairs : list ((nat * nat) * list wind
 Definition vertex := (number * number)%type.
 Definition positive (r : number) (M : model) : bool := below (slack M) (lower r (poly_of M)).
 
-(** Along a direction: the place of a vertex (x, y) is [base] + x [per_x] + y [per_y]. *)
+(** Along a direction, from a level on: a vertex (x, y) is at [base] + x [per_x] + y [per_y]. *)
 Record projection := Projection { base : model; per_x : model; per_y : model }.
-Definition project (r : number) (n : number * number) (P : placement) : projection :=
-  Projection (madd (mscale (fst n) (ox P)) (mscale (snd n) (oy P)))
+Definition project (r : number) (n : number * number) (level : poly) (P : placement) : projection :=
+  Projection (msub (madd (mscale (fst n) (ox P)) (mscale (snd n) (oy P))) (Model level zero))
              (madd (mscale (fst n) (co P)) (mscale (snd n) (si P)))
              (msub (mscale (snd n) (co P)) (mscale (fst n) (si P))).
+Definition opposite (J : projection) : projection := Projection (mneg (base J)) (mneg (per_x J)) (mneg (per_y J)).
 Definition along_direction (J : projection) (v : vertex) : model :=
   madd (base J) (madd (mscale (fst v) (per_x J)) (mscale (snd v) (per_y J))).
 
+(** First a rough test, in short numbers: of vertices on a grid of 2^g. *)
+Definition rough_projection (g : Z) (r : number) (J : projection) : projection :=
+  let x := rough r (per_x J) in let y := rough r (per_y J) in
+  let b := rough r (base J) in
+  Projection (Model (poly_of b) (round_up (add (slack b) (mul (Number 1 g) (add (bound r x) (bound r y)))))) x y.
+Definition rough_along (J : projection) (v : vertex) : model :=
+  Model (padd (poly_of (base J)) (padd (pscale (fst v) (poly_of (per_x J))) (pscale (snd v) (poly_of (per_y J)))))
+        (add (slack (base J)) (add (mul (size (fst v)) (slack (per_x J))) (mul (size (snd v)) (slack (per_y J))))).
+
+(** A vertex, and the same on the grid. *)
+Definition corner := (vertex * vertex)%type.
+Definition corner_of (g : Z) (v : vertex) : corner := (v, (on_grid g (fst v), on_grid g (snd v))).
+Definition edge_corners (g : Z) (e : vertex * vertex) : corner * corner := (corner_of g (fst e), corner_of g (snd e)).
+
+Definition beyond (g : Z) (r : number) (J : projection) : corner -> bool :=
+  let K := rough_projection g r J in
+  fun c => positive r (rough_along K (snd c)) || positive r (along_direction J (fst c)).
+
 Definition same_number (a b : number) : bool := Z.eqb (mantissa a) (mantissa b) && Z.eqb (exponent a) (exponent b).
 Definition same_vertex (u v : vertex) : bool := same_number (fst u) (fst v) && same_number (snd u) (snd v).
+Definition same_corner (c d : corner) : bool := same_vertex (fst c) (fst d) && same_vertex (snd c) (snd d).
 (** All ends of edges; mostly an edge ends where the next one begins. *)
-Fixpoint ends (test : vertex -> bool) (l : list (vertex * vertex)) : bool :=
+Fixpoint ends (test : corner -> bool) (l : list (corner * corner)) : bool :=
   match l with
   | [] => true
   | e :: rest =>
       test (fst e) && ends test rest &&
       match rest with
-      | f :: _ => same_vertex (snd e) (fst f) || test (snd e)
+      | f :: _ => same_corner (snd e) (fst f) || test (snd e)
       | [] => test (snd e)
       end
   end.
@@ -49,14 +69,20 @@ Fixpoint ends (test : vertex -> bool) (l : list (vertex * vertex)) : bool :=
 Definition halves {A} (l : list A) : list A * list A :=
   let n := Nat.div2 (length l) in (firstn n l, skipn n l).
 
-Fixpoint separated (r : number) (P Q : placement) (E F : list (vertex * vertex)) (s : separation) : bool :=
+(** The edges of a body, on a grid of 2^[grid]. *)
+Record outline := Outline { grid : Z; corners : list (corner * corner) }.
+
+Fixpoint separated (r : number) (P Q : placement) (E F : outline) (s : separation) : bool :=
   match s with
   | Line n level =>
-      let M := Model level zero in
-      let JP := project r n P in let JQ := project r n Q in
-      ends (fun v => positive r (msub M (along_direction JP v))) E && ends (fun v => positive r (msub (along_direction JQ v) M)) F
-  | FirstHalves s1 s2 => let (E1, E2) := halves E in separated r P Q E1 F s1 && separated r P Q E2 F s2
-  | SecondHalves s1 s2 => let (F1, F2) := halves F in separated r P Q E F1 s1 && separated r P Q E F2 s2
+      ends (beyond (grid E) r (opposite (project r n level P))) (corners E) &&
+      ends (beyond (grid F) r (project r n level Q)) (corners F)
+  | FirstHalves s1 s2 =>
+      let (E1, E2) := halves (corners E) in
+      separated r P Q (Outline (grid E) E1) F s1 && separated r P Q (Outline (grid E) E2) F s2
+  | SecondHalves s1 s2 =>
+      let (F1, F2) := halves (corners F) in
+      separated r P Q E (Outline (grid F) F1) s1 && separated r P Q E (Outline (grid F) F2) s2
   end.
 
 (** * A point of each ring outside of the other body, in the middle of the window *)
@@ -119,6 +145,11 @@ Definition outside (P Q : placement) (s t : list (list (list vertex))) : bool :=
 
 Definition is_line (s : separation) : bool := match s with Line _ _ => true | _ => false end.
 Definition edges_of (b : body) : list (vertex * vertex) := flat_map all_edges_of (shape b).
+Definition outline_of (b : body) : outline :=
+  let e := edges_of b in
+  let top := fold_right (fun (e : vertex * vertex) m => let (x, y) := fst e in Z.max (magnitude x) (Z.max (magnitude y) m)) (-1000)%Z e in
+  let g := (top - rough_bits)%Z in
+  Outline g (map (edge_corners g) e).
 
 (** Whether all rings are outside of the other body in the middle of a window. *)
 Definition outside_in_the_middle (ca cb : list motion) (a b : body) (w : window) (middle : number) : bool :=
@@ -128,7 +159,7 @@ Definition outside_in_the_middle (ca cb : list motion) (a b : body) (w : window)
   end.
 
 (** Whether two chains and shapes are apart throughout a window; and whether its pieces hold at its end, too. *)
-Definition check_window (ca cb : list motion) (a b : body) (ea eb : list (vertex * vertex)) (w : window) : option bool :=
+Definition check_window (ca cb : list motion) (a b : body) (ea eb : outline) (w : window) : option bool :=
   let middle := half (add (opens w) (closes w)) in
   let r := half (sub (closes w) (opens w)) in
   if at_most zero r then
@@ -181,7 +212,7 @@ Definition is_tested (s : scene) (i j : nat) (a b : body) : bool :=
   negb (existsb (fun p => is_pair i j p || is_pair j i p) (ignored s)) &&
   (at_rest s || (if chain_eq (chain a) (chain b) then false else true)).
 
-Definition numbered := (nat * (body * list (vertex * vertex)))%type.
+Definition numbered := (nat * (body * outline))%type.
 
 (** Takes the windows of one pair from the log. *)
 Definition check_pair (s : scene) (stop : number) (x y : numbered) (l : list ((nat * nat) * list window)) :
@@ -209,7 +240,7 @@ Fixpoint check_rows (s : scene) (stop : number) (xs : list numbered) (l : list (
   end.
 
 Fixpoint number_bodies (i : nat) (l : list body) : list numbered :=
-  match l with [] => [] | b :: l => (i, (b, edges_of b)) :: number_bodies (S i) l end.
+  match l with [] => [] | b :: l => (i, (b, outline_of b)) :: number_bodies (S i) l end.
 
 Definition check (s : scene) (l : log) : bool :=
   match check_rows s (proved_until l) (number_bodies 0 (bodies s)) (pairs l) with Some [] => true | _ => false end.

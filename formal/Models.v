@@ -99,17 +99,18 @@ Definition near (r : number) (f : R -> R) (M : model) : Prop :=
   forall h, Rabs h <= value r -> Rabs (f h - eval (poly_of M) h) <= value (slack M).
 
 (** Terms that matter, of limited length; the rest goes to the slack. Any number of terms would do. *)
-Fixpoint trim (k : nat) (r : number) (p : poly) : poly * number :=
+Fixpoint trim (bits : Z) (k : nat) (r : number) (p : poly) : poly * number :=
   match p with
   | [] => ([], zero)
   | a :: p' =>
       match k with
       | O => ([], norm r p)
-      | S k' => let (b, e) := cut a in let (q, e') := trim k' r p' in (b :: q, add e (mul r e'))
+      | S k' => let (b, e) := cut bits a in let (q, e') := trim bits k' r p' in (b :: q, add e (mul r e'))
       end
   end.
 Definition most_terms := 8%nat.
 Definition negligible := 60%Z.
+Definition rough_negligible := 32%Z.
 Definition magnitude (a : number) : Z := (Z.log2 (Z.abs (mantissa a)) + exponent a)%Z.
 (** The largest magnitude of a term, where those of powers of h have [step] added for each. *)
 Fixpoint largest (step shift best : Z) (p : poly) : Z :=
@@ -126,7 +127,7 @@ Fixpoint terms_above (step shift floor : Z) (p : poly) : nat :=
       | O => if Z.eqb (mantissa a) 0 || Z.leb (magnitude a + shift) floor then O else 1%nat
       end
   end.
-Definition useful (r : number) (p : poly) : nat :=
+Definition useful (negligible : Z) (r : number) (p : poly) : nat :=
   match p with
   | [] => O
   | a :: _ =>
@@ -134,8 +135,11 @@ Definition useful (r : number) (p : poly) : nat :=
       else let step := (magnitude r + 1)%Z in
            Nat.min most_terms (terms_above step 0 (largest step 0 (magnitude a) p - negligible) p)
   end.
-Definition tidy (r : number) (M : model) : model :=
-  let (p, e) := trim (useful r (poly_of M)) r (poly_of M) in Model p (round_up (add (slack M) e)).
+Definition shorter (bits negligible : Z) (r : number) (M : model) : model :=
+  let (p, e) := trim bits (useful negligible r (poly_of M)) r (poly_of M) in Model p (round_up (add (slack M) e)).
+Definition tidy (r : number) (M : model) : model := shorter kept_bits negligible r M.
+(** In numbers that a processor can multiply. *)
+Definition rough (r : number) (M : model) : model := shorter rough_bits rough_negligible r M.
 
 Definition constant (a : number) : model := Model [a] zero.
 Definition variable : model := Model [zero; one] zero.
@@ -159,28 +163,30 @@ Section Correctness.
   Lemma slack_nonneg f M : near r f M -> 0 <= value (slack M).
   Proof. intros H. eapply Rle_trans; [apply Rabs_pos|]. apply (H 0). rewrite Rabs_R0. auto. Qed.
 
-  Lemma trim_correct k p h : Rabs h <= value r ->
-    Rabs (eval p h - eval (fst (trim k r p)) h) <= value (snd (trim k r p)).
+  Lemma trim_correct bits k p h : Rabs h <= value r ->
+    Rabs (eval p h - eval (fst (trim bits k r p)) h) <= value (snd (trim bits k r p)).
   Proof.
     intros H. revert k; induction p as [|a p IH]; intros k.
     - destruct k; simpl; rewrite value_zero, Rminus_diag_eq, Rabs_R0 by auto; lra.
     - destruct k as [|k]; cbn [trim].
       + cbn [fst snd]. change (eval [] h) with 0. rewrite Rminus_0_r. apply norm_correct; auto.
-      + pose proof (cut_correct a) as C. destruct (cut a) as [b e]. specialize (IH k). destruct (trim k r p) as [q e'].
+      + pose proof (cut_correct bits a) as C. destruct (cut bits a) as [b e]. specialize (IH k). destruct (trim bits k r p) as [q e'].
         cbn [fst snd eval] in *. rewrite value_add, value_mul.
         replace (value a + h * eval p h - (value b + h * eval q h)) with (value a - value b + h * (eval p h - eval q h)) by ring.
         eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_mult. apply Rplus_le_compat; auto.
         apply Rmult_le_compat; auto using Rabs_pos.
   Qed.
 
-  Lemma near_tidy f M : near r f M -> near r f (tidy r M).
+  Lemma near_shorter bits few f M : near r f M -> near r f (shorter bits few r M).
   Proof.
-    intros H h Hh. unfold tidy. pose proof (trim_correct (useful r (poly_of M)) (poly_of M) h Hh) as T.
-    destruct (trim (useful r (poly_of M)) r (poly_of M)) as [p e]. cbn [poly_of slack fst snd] in *.
+    intros H h Hh. unfold shorter. pose proof (trim_correct bits (useful few r (poly_of M)) (poly_of M) h Hh) as T.
+    destruct (trim bits (useful few r (poly_of M)) r (poly_of M)) as [p e]. cbn [poly_of slack fst snd] in *.
     eapply Rle_trans; [|apply round_up_correct]. rewrite value_add. specialize (H h Hh).
     replace (f h - eval p h) with (f h - eval (poly_of M) h + (eval (poly_of M) h - eval p h)) by ring.
     eapply Rle_trans; [apply Rabs_triang|]. lra.
   Qed.
+  Lemma near_tidy f M : near r f M -> near r f (tidy r M).
+  Proof. apply near_shorter. Qed.
 
   Lemma near_constant a : near r (fun _ => value a) (constant a).
   Proof. intros h _. simpl. rewrite value_zero. replace (_ - _) with 0 by ring. rewrite Rabs_R0. lra. Qed.

@@ -23,14 +23,18 @@ Definition at_most (a b : number) : bool := Z.leb 0 (mantissa (sub b a)).
 
 (* By names, so that the program has them ready. *)
 Definition kept_bits := 96%Z.
-Definition slack_bits := 48%Z.
+Definition slack_bits := 30%Z.
+Definition rough_bits := 28%Z.
 
 (** At most so many bits of a number, and how much is left out at most. *)
-Definition cut (a : number) : number * number :=
+Definition cut (bits : Z) (a : number) : number * number :=
   let n := Z.log2 (Z.abs (mantissa a)) in
-  if Z.leb n kept_bits then (a, zero)
-  else let k := (n - kept_bits)%Z in
+  if Z.leb n bits then (a, zero)
+  else let k := (n - bits)%Z in
        (Number (Z.shiftr (mantissa a) k) (exponent a + k), Number 1 (exponent a + k)).
+(** Rounded down to a multiple of 2^g. *)
+Definition on_grid (g : Z) (a : number) : number :=
+  if Z.leb g (exponent a) then a else Number (Z.shiftr (mantissa a) (g - exponent a)) g.
 (** Not less, in few bits. *)
 Definition round_up (a : number) : number :=
   let n := Z.log2 (Z.abs (mantissa a)) in
@@ -101,13 +105,22 @@ Proof.
   split; [apply IZR_le|apply IZR_lt]; nia.
 Qed.
 
-Lemma cut_correct a : Rabs (value a - value (fst (cut a))) <= value (snd (cut a)).
+Lemma cut_correct bits a : Rabs (value a - value (fst (cut bits a))) <= value (snd (cut bits a)).
 Proof.
-  unfold cut. destruct (Z.leb_spec (Z.log2 (Z.abs (mantissa a))) kept_bits) as [_|H]; simpl.
+  unfold cut. destruct (Z.leb_spec (Z.log2 (Z.abs (mantissa a))) bits) as [_|H]; simpl.
   - rewrite value_zero. rewrite Rminus_diag_eq, Rabs_R0 by reflexivity. lra.
-  - set (k := (Z.log2 (Z.abs (mantissa a)) - kept_bits)%Z) in *. destruct (shiftr_bounds (mantissa a) k) as [L U]; [lia|].
+  - set (k := (Z.log2 (Z.abs (mantissa a)) - bits)%Z) in *. destruct (shiftr_bounds (mantissa a) k) as [L U]; [lia|].
     unfold value; simpl mantissa; simpl exponent. rewrite two_add. pose proof (two_pos (exponent a)). pose proof (two_pos k).
     apply Rabs_le. split; nra.
+Qed.
+
+Lemma on_grid_correct g a : Rabs (value a - value (on_grid g a)) <= value (Number 1 g).
+Proof.
+  unfold on_grid. destruct (Z.leb_spec g (exponent a)) as [_|H].
+  - rewrite Rminus_diag_eq, Rabs_R0 by reflexivity. apply value_sign_nonneg. simpl. lia.
+  - set (k := (g - exponent a)%Z). destruct (shiftr_bounds (mantissa a) k) as [L U]; [unfold k; lia|].
+    unfold value; simpl mantissa; simpl exponent. replace g with (exponent a + k)%Z by (unfold k; lia). rewrite two_add.
+    pose proof (two_pos (exponent a)). pose proof (two_pos k). apply Rabs_le. split; nra.
 Qed.
 
 Lemma round_up_correct a : value a <= value (round_up a).
@@ -117,5 +130,5 @@ Proof.
   unfold value; simpl mantissa; simpl exponent. rewrite two_add, plus_IZR. pose proof (two_pos (exponent a)). nra.
 Qed.
 
-Global Opaque add neg sub mul size half below at_most cut round_up.
+Global Opaque add neg sub mul size half below at_most cut on_grid round_up.
 Global Opaque value.

@@ -23,18 +23,82 @@ Section Window.
 
   Definition place (H : R -> frame) (h : R) (v : vertex) : point := apply (H h) (values v).
 
-  Lemma near_along n H J v : near_frame r H J ->
-    near r (fun h => dot (values n) (place H h v)) (along_direction (project r n J) v).
+  Definition near_projection (B X Y : R -> R) (J : projection) : Prop :=
+    near r B (base J) /\ near r X (per_x J) /\ near r Y (per_y J).
+  Definition vertex_along (B X Y : R -> R) (v : vertex) (h : R) : R := B h + (value (fst v) * X h + value (snd v) * Y h).
+
+  Lemma near_along B X Y J v : near_projection B X Y J -> near r (vertex_along B X Y v) (along_direction J v).
   Proof.
-    intros (X & Y & C & S). unfold along_direction, project; cbn [base per_x per_y].
-    apply (near_ext r (fun h =>
-      (value (fst n) * fst (at_ (H h)) + value (snd n) * snd (at_ (H h))) +
-      (value (fst v) * (value (fst n) * fst (along (H h)) + value (snd n) * snd (along (H h))) +
-       value (snd v) * (value (snd n) * fst (along (H h)) - value (fst n) * snd (along (H h)))))).
-    { intros h. unfold dot, place, apply, plus, turned, values; simpl. ring. }
-    repeat first [apply (near_madd r (fun h => _) (fun h => _)) | apply (near_mneg r (fun h => _)) | apply (near_msub r (fun h => _) (fun h => _))
-                 | apply (near_mscale r _ (fun h => _))]; auto.
+    intros (NB & NX & NY). unfold vertex_along, along_direction.
+    apply (near_madd r B (fun h => _)); auto. apply (near_madd r (fun h => _) (fun h => _)); apply near_mscale; auto.
   Qed.
+
+  Lemma near_rough_along B X Y J v w g : near_projection B X Y J ->
+    Rabs (value (fst v) - value (fst w)) <= value (Number 1 g) -> Rabs (value (snd v) - value (snd w)) <= value (Number 1 g) ->
+    near r (vertex_along B X Y v) (rough_along (rough_projection g r J) w).
+  Proof.
+    intros (NB & NX & NY) Hx Hy h Hh. unfold rough_along, rough_projection. cbn [base per_x per_y poly_of slack].
+    apply (near_shorter r rough_bits rough_negligible) in NB, NX, NY. fold (rough r (base J)) in NB.
+    fold (rough r (per_x J)) in NX. fold (rough r (per_y J)) in NY.
+    pose proof (bound_correct r X _ h NX Hh) as BX. pose proof (bound_correct r Y _ h NY Hh) as BY.
+    specialize (NB h Hh). specialize (NX h Hh). specialize (NY h Hh).
+    set (b := rough r (base J)) in *. set (x := rough r (per_x J)) in *. set (y := rough r (per_y J)) in *.
+    rewrite !eval_padd, !eval_pscale, !value_add, !value_mul, !value_size.
+    pose proof (round_up_correct (add (slack b) (mul (Number 1 g) (add (bound r x) (bound r y))))) as U.
+    rewrite value_add, value_mul, value_add in U.
+    set (grid_ := value (Number 1 g)) in *. set (S := value (round_up _)) in *.
+    unfold vertex_along.
+    replace (B h + (value (fst v) * X h + value (snd v) * Y h) -
+             (eval (poly_of b) h + (value (fst w) * eval (poly_of x) h + value (snd w) * eval (poly_of y) h)))
+      with (B h - eval (poly_of b) h +
+            ((value (fst v) - value (fst w)) * X h + value (fst w) * (X h - eval (poly_of x) h) +
+             ((value (snd v) - value (snd w)) * Y h + value (snd w) * (Y h - eval (poly_of y) h)))) by ring.
+    assert (TX : Rabs ((value (fst v) - value (fst w)) * X h + value (fst w) * (X h - eval (poly_of x) h)) <=
+                 grid_ * value (bound r x) + Rabs (value (fst w)) * value (slack x)).
+    { eapply Rle_trans; [apply Rabs_triang|]. rewrite !Rabs_mult.
+      apply Rplus_le_compat; apply Rmult_le_compat; auto using Rabs_pos; lra. }
+    assert (TY : Rabs ((value (snd v) - value (snd w)) * Y h + value (snd w) * (Y h - eval (poly_of y) h)) <=
+                 grid_ * value (bound r y) + Rabs (value (snd w)) * value (slack y)).
+    { eapply Rle_trans; [apply Rabs_triang|]. rewrite !Rabs_mult.
+      apply Rplus_le_compat; apply Rmult_le_compat; auto using Rabs_pos; lra. }
+    eapply Rle_trans; [apply Rabs_triang|].
+    eapply Rle_trans; [apply Rplus_le_compat_l, Rabs_triang|]. lra.
+  Qed.
+
+  Lemma beyond_correct B X Y J g v : near_projection B X Y J -> beyond g r J (corner_of g v) = true ->
+    forall h, Rabs h <= value r -> 0 < vertex_along B X Y v h.
+  Proof.
+    intros N H h Hh. unfold beyond in H. apply orb_prop in H. destruct H as [H|H].
+    - eapply positive_correct in H; eauto. apply near_rough_along; auto; apply on_grid_correct.
+    - eapply positive_correct in H; eauto. apply near_along; auto.
+  Qed.
+
+  Definition rest (H : R -> frame) (n : number * number) (level : poly) (h : R) : R :=
+    value (fst n) * fst (at_ (H h)) + value (snd n) * snd (at_ (H h)) - eval level h.
+  Definition along_x (H : R -> frame) (n : number * number) (h : R) : R :=
+    value (fst n) * fst (along (H h)) + value (snd n) * snd (along (H h)).
+  Definition along_y (H : R -> frame) (n : number * number) (h : R) : R :=
+    value (snd n) * fst (along (H h)) - value (fst n) * snd (along (H h)).
+
+  Lemma near_project n level H J : near_frame r H J ->
+    near_projection (rest H n level) (along_x H n) (along_y H n) (project r n level J).
+  Proof.
+    intros (X & Y & C & S). unfold near_projection, project; cbn [base per_x per_y]. repeat split.
+    - apply (near_msub r (fun h => _) (eval level)); [|apply near_eval].
+      apply (near_madd r (fun h => _) (fun h => _)); apply near_mscale; auto.
+    - apply (near_madd r (fun h => _) (fun h => _)); apply near_mscale; auto.
+    - apply (near_msub r (fun h => _) (fun h => _)); apply near_mscale; auto.
+  Qed.
+  Lemma near_opposite B X Y J : near_projection B X Y J ->
+    near_projection (fun h => - B h) (fun h => - X h) (fun h => - Y h) (opposite J).
+  Proof. intros (NB & NX & NY). repeat split; apply near_mneg; auto. Qed.
+
+  Lemma vertex_along_place n level H v h :
+    vertex_along (rest H n level) (along_x H n) (along_y H n) v h = dot (values n) (place H h v) - eval level h.
+  Proof. unfold vertex_along, rest, along_x, along_y, dot, place, apply, plus, turned, values; simpl. ring. Qed.
+  Lemma vertex_along_opposite B X Y v h :
+    vertex_along (fun h => - B h) (fun h => - X h) (fun h => - Y h) v h = - vertex_along B X Y v h.
+  Proof. unfold vertex_along. ring. Qed.
 
   Definition edge_place (H : R -> frame) (h : R) (e : vertex * vertex) : point * point := (place H h (fst e), place H h (snd e)).
 
@@ -43,26 +107,33 @@ Section Window.
     destruct u as [[m e] [m' e']], v as [[n f] [n' f']]. unfold same_vertex, same_number; simpl.
     rewrite !andb_true_iff, !Z.eqb_eq. intros [[-> ->] [-> ->]]. reflexivity.
   Qed.
+  Lemma same_corner_correct c d : same_corner c d = true -> c = d.
+  Proof.
+    destruct c as [u u'], d as [v v']. unfold same_corner; simpl. rewrite andb_true_iff.
+    intros [A B]. apply same_vertex_correct in A, B. subst. reflexivity.
+  Qed.
   Lemma ends_correct test l e : ends test l = true -> In e l -> test (fst e) = true /\ test (snd e) = true.
   Proof.
     induction l as [|e' l IH]; [intros _ []|]. cbn [ends]. rewrite !andb_true_iff. intros [[A B] C] [<-|I]; [|auto].
     split; auto. destruct l as [|f l]; auto. apply orb_prop in C. destruct C as [C|C]; auto.
-    apply same_vertex_correct in C. rewrite C. cbn [ends] in B. rewrite !andb_true_iff in B. tauto.
+    apply same_corner_correct in C. rewrite C. cbn [ends] in B. rewrite !andb_true_iff in B. tauto.
   Qed.
 
+  Definition has_edge (E : outline) (e : vertex * vertex) : Prop := In (edge_corners (grid E) e) (corners E).
+
   Lemma line_correct n level E E' : separated r P Q E E' (Line n level) = true -> forall h, Rabs h <= value r ->
-    (forall e, In e E -> dot (values n) (place F h (fst e)) < eval level h /\ dot (values n) (place F h (snd e)) < eval level h) /\
-    (forall e, In e E' -> eval level h < dot (values n) (place G h (fst e)) /\ eval level h < dot (values n) (place G h (snd e))).
+    (forall e, has_edge E e -> dot (values n) (place F h (fst e)) < eval level h /\ dot (values n) (place F h (snd e)) < eval level h) /\
+    (forall e, has_edge E' e -> eval level h < dot (values n) (place G h (fst e)) /\ eval level h < dot (values n) (place G h (snd e))).
   Proof.
-    cbn [separated]. intros H h Hh. apply andb_prop in H. destruct H as [H1 H2]. split; intros e I.
+    cbn [separated]. intros H h Hh. apply andb_prop in H. destruct H as [H1 H2].
+    pose proof (near_opposite _ _ _ _ (near_project n level F P NF)) as NP. pose proof (near_project n level G Q NG) as NQ.
+    split; intros e I.
     - destruct (ends_correct _ _ _ H1 I) as [A B].
-      split; [clear B; rename A into B|clear A]; eapply positive_correct in B; eauto;
-        try (apply (near_msub r _ (fun h => dot (values n) (place F h _)) _ _ (near_eval r level) (near_along n F P _ NF)));
-        cbv beta in B; lra.
+      pose proof (beyond_correct _ _ _ _ _ _ NP A h Hh) as A'. pose proof (beyond_correct _ _ _ _ _ _ NP B h Hh) as B'.
+      rewrite vertex_along_opposite, vertex_along_place in A', B'. lra.
     - destruct (ends_correct _ _ _ H2 I) as [A B].
-      split; [clear B; rename A into B|clear A]; eapply positive_correct in B; eauto;
-        try (apply (near_msub r (fun h => dot (values n) (place G h _)) _ _ _ (near_along n G Q _ NG) (near_eval r level)));
-        cbv beta in B; lra.
+      pose proof (beyond_correct _ _ _ _ _ _ NQ A h Hh) as A'. pose proof (beyond_correct _ _ _ _ _ _ NQ B h Hh) as B'.
+      rewrite vertex_along_place in A', B'. lra.
   Qed.
 
   (** One direction for two edges, throughout the window. *)
@@ -74,13 +145,19 @@ Section Window.
   Proof. unfold halves; simpl. intros I. apply in_app_or. rewrite firstn_skipn. auto. Qed.
 
   Lemma separated_correct s : forall E E', separated r P Q E E' s = true ->
-    forall e f, In e E -> In f E' -> kept_apart e f.
+    forall e f, has_edge E e -> has_edge E' f -> kept_apart e f.
   Proof.
     induction s as [n level|s1 IH1 s2 IH2|s1 IH1 s2 IH2]; intros E E' H e f He Hf.
     - exists (values n). intros h Hh. destruct (line_correct n level E E' H h Hh) as [A B].
       specialize (A e He). specialize (B f Hf). lra.
-    - cbn [separated] in H. destruct (in_halves _ _ He) as [I|I]; destruct (halves E) as [E1 E2]; apply andb_prop in H; destruct H; eauto.
-    - cbn [separated] in H. destruct (in_halves _ _ Hf) as [I|I]; destruct (halves E') as [E1 E2]; apply andb_prop in H; destruct H; eauto.
+    - cbn [separated] in H. unfold has_edge in He. destruct (in_halves _ _ He) as [I|I];
+        destruct (halves (corners E)) as [E1 E2]; apply andb_prop in H; destruct H as [H1 H2].
+      + apply (IH1 _ _ H1); auto.
+      + apply (IH2 _ _ H2); auto.
+    - cbn [separated] in H. unfold has_edge in Hf. destruct (in_halves _ _ Hf) as [I|I];
+        destruct (halves (corners E')) as [E1 E2]; apply andb_prop in H; destruct H as [H1 H2].
+      + apply (IH1 _ _ H1); auto.
+      + apply (IH2 _ _ H2); auto.
   Qed.
 End Window.
 
@@ -238,14 +315,16 @@ Proof. unfold placed_part. rewrite map_map. apply map_ext. intros rg. rewrite ma
 Definition covered (c : list motion) (b : body) (after : bool) (t : R) (z : point) : Prop :=
   exists p q, In p (shape b) /\ in_part q (map (map values) p) /\ z = placed after c t q.
 
+Lemma has_edge_of b p e : In p (shape b) -> In e (all_edges_of p) -> has_edge (outline_of b) e.
+Proof. intros Hp He. unfold has_edge, outline_of. cbn [grid corners]. apply in_map. eapply in_edges_of; eauto. Qed.
+
 (** Two parts that a separation with halves keeps apart. *)
-Lemma parts_apart r F G h s t P0 Q0 p q ea eb : 0 <= value r -> Rabs h <= value r ->
+Lemma parts_apart r F G h s t P0 Q0 p q : 0 <= value r -> Rabs h <= value r ->
   near_frame zero F P0 -> near_frame zero G Q0 -> outside P0 Q0 s t = true -> outside Q0 P0 t s = true ->
-  (forall e f, In e ea -> In f eb -> kept_apart r F G e f) -> In p s -> In q t ->
-  (forall e, In e (all_edges_of p) -> In e ea) -> (forall e, In e (all_edges_of q) -> In e eb) ->
+  (forall e f, In e (all_edges_of p) -> In f (all_edges_of q) -> kept_apart r F G e f) -> In p s -> In q t ->
   forall z, ~ (in_part z (placed_part F h p) /\ in_part z (placed_part G h q)).
 Proof.
-  intros R H MF MG O1 O2 K Hp Hq Ea Eb. apply parts_disjoint.
+  intros R H MF MG O1 O2 K Hp Hq. apply parts_disjoint.
   - apply (kept_apart_parts r); auto.
   - apply (outside_kept r); auto. intros. eapply (outside_correct F G P0 Q0 s t); eauto.
   - apply (outside_kept r); auto.
@@ -254,14 +333,14 @@ Proof.
 Qed.
 
 Lemma check_window_correct ca cb a b w closed :
-  check_window ca cb a b (edges_of a) (edges_of b) w = Some closed ->
+  check_window ca cb a b (outline_of a) (outline_of b) w = Some closed ->
   forall t after, in_window (opens w) (closes w) closed after t -> forall z, ~ (covered ca a after t z /\ covered cb b after t z).
 Proof.
   unfold check_window. set (mid := half (add (opens w) (closes w))). set (r := half (sub (closes w) (opens w))).
   destruct (at_most zero r) eqn:R0; [|discriminate]. apply at_most_correct in R0. rewrite value_zero in R0.
   destruct (chain_model _ _ mid r ca) as [[P c1]|] eqn:CA; [|discriminate].
   destruct (chain_model _ _ mid r cb) as [[Q c2]|] eqn:CB; [|discriminate].
-  destruct (separated r P Q (edges_of a) (edges_of b) (how w)) eqn:S; [|discriminate].
+  destruct (separated r P Q (outline_of a) (outline_of b) (how w)) eqn:S; [|discriminate].
   destruct (is_line (how w) || outside_in_the_middle ca cb a b w mid) eqn:O; [|discriminate]. intros [= <-].
   destruct (chain_correct _ _ _ _ _ _ _ R0 CA) as (NF & PF & AF).
   destruct (chain_correct _ _ _ _ _ _ _ R0 CB) as (NG & PG & AG).
@@ -283,18 +362,16 @@ Proof.
     destruct (line_correct r R0 F G P Q NF NG n level _ _ S h H) as [A B].
     apply (parts_on_sides (values n) (eval level h) (placed_part F h p) (placed_part G h q)) with (z := z); auto.
     + intros e He. rewrite all_edges_placed in He. apply in_map_iff in He. destruct He as (e' & <- & He).
-      apply A. eapply in_edges_of; eauto.
+      apply A. eapply has_edge_of; eauto.
     + intros e He. rewrite all_edges_placed in He. apply in_map_iff in He. destruct He as (e' & <- & He).
-      apply B. eapply in_edges_of; eauto.
+      apply B. eapply has_edge_of; eauto.
   - cbn [orb] in O. unfold outside_in_the_middle in O.
     destruct (chain_model _ _ mid zero ca) as [[P0 c3]|] eqn:CA0; [|discriminate].
     destruct (chain_model _ _ mid zero cb) as [[Q0 c4]|] eqn:CB0; [|discriminate].
     apply andb_prop in O. destruct O as [O1 O2].
     destruct (chain_correct _ _ _ _ _ _ _ zero_nonneg CA0) as (MF & _). destruct (chain_correct _ _ _ _ _ _ _ zero_nonneg CB0) as (MG & _).
-    apply (parts_apart r F G h (shape a) (shape b) P0 Q0 p q (edges_of a) (edges_of b)) with (z := z); auto.
-    + intros e f He Hf. eapply separated_correct; eauto.
-    + intros e He. eapply in_edges_of; eauto.
-    + intros e He. eapply in_edges_of; eauto.
+    apply (parts_apart r F G h (shape a) (shape b) P0 Q0 p q) with (z := z); auto.
+    intros e f He Hf. eapply separated_correct; eauto; eapply has_edge_of; eauto.
 Qed.
 
 Lemma check_windows_correct check (safe : R -> bool -> Prop) stop l :
@@ -343,7 +420,7 @@ Definition disjoint_until (s : scene) (stop : number) (a b : body) : Prop :=
   forall z, ~ (covers a after t z /\ covers b after t z).
 
 Lemma check_pair_correct s stop i a j b l l' :
-  check_pair s stop (i, (a, edges_of a)) (j, (b, edges_of b)) l = Some l' -> tested s i j a b -> disjoint_until s stop a b.
+  check_pair s stop (i, (a, outline_of a)) (j, (b, outline_of b)) l = Some l' -> tested s i j a b -> disjoint_until s stop a b.
 Proof.
   unfold check_pair. intros H T. rewrite (is_tested_correct _ _ _ _ _ T) in H. destruct l as [|[ij windows] rest]; [discriminate|].
   destruct (without_common (chain a) (chain b)) as [ca cb] eqn:E. destruct (is_pair i j ij); [|discriminate]. simpl in H.
@@ -371,7 +448,7 @@ Proof.
   - eapply IH; eauto.
 Qed.
 
-Lemma number_bodies_nth l k i b : nth_error l i = Some b -> nth_error (number_bodies k l) i = Some ((k + i)%nat, (b, edges_of b)).
+Lemma number_bodies_nth l k i b : nth_error l i = Some b -> nth_error (number_bodies k l) i = Some ((k + i)%nat, (b, outline_of b)).
 Proof.
   revert k i; induction l as [|b' l IH]; intros k i; [destruct i; discriminate|]. destruct i as [|i]; simpl.
   - intros [= ->]. rewrite Nat.add_0_r. reflexivity.
@@ -384,7 +461,7 @@ Proof.
   intros t after Ht A i j a b T z. pose proof T as (L & Na & Nb & _).
   apply (number_bodies_nth _ 0) in Na, Nb. simpl in Na, Nb.
   destruct (nth_error_split _ _ Na) as (before & following & E & Len).
-  assert (I : In (j, (b, edges_of b)) following).
+  assert (I : In (j, (b, outline_of b)) following).
   { rewrite E, nth_error_app2 in Nb by lia. destruct (j - length before)%nat eqn:D; [lia|]. simpl in Nb. eapply nth_error_In; eauto. }
   destruct (check_rows_correct _ _ _ _ _ C _ _ _ _ E I) as (m & m' & P).
   apply (check_pair_correct s (proved_until l) i a j b m m'); auto.

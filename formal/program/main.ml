@@ -39,4 +39,5 @@ let () =
   | exception Json.Error what -> fail 2 what
   | exception Sys_error what -> fail 2 what
   | exception Stack_overflow -> fail 2 "the scene or the log is too large"
+  | exception Exact.Z.Overflow -> fail 2 "a number is too large"
   | exception Out_of_memory -> fail 2 "the scene or the log is too large"

@@ -180,10 +180,11 @@ std::vector<double> joints_between(const std::array<ExactChain, 2>& chains, doub
 std::optional<LocalPlacement> placement_in(const ExactChain& chain, double from, double to, const LocalModels& models) {
   std::optional<LocalPlacement> place;
   const double middle = from + (to - from) / 2;
-  for (const Motion* motion : chain) {
-    const auto next = placement_of(piece_in(*motion, from, to), middle, models);
+  // From the innermost motion outwards, as the checker does: the order shows in the slack.
+  for (std::size_t k = chain.size(); k-- > 0;) {
+    const auto next = placement_of(piece_in(*chain[k], from, to), middle, models);
     if (!next) return std::nullopt;
-    place = place ? composed(*place, *next, models) : *next;
+    place = place ? composed(*next, *place, models) : *next;
   }
   if (!place) place = LocalPlacement{{}, {}, LocalModel::constant(1), {}};
   return place;

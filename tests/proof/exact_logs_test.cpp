@@ -123,7 +123,9 @@ TEST(ExactLogs, LinesSeparateWhatTheySay) {
     const double until = log["until"];
     EXPECT_EQ(answer.outcome, known.outcome);
     EXPECT_EQ(log["format"], "taut-exact/1");
-    if (known.outcome == Outcome::free) EXPECT_EQ(until, scene.end);
+    if (known.outcome == Outcome::free) {
+      EXPECT_EQ(until, scene.end);
+    }
     if (known.contact) {
       ++contacts;
       EXPECT_LE(until, known.contact->time.lo);
