@@ -366,6 +366,12 @@ expect 1 'another scene' '' verify hit.json a.proof
 head -c 50 a.proof >cut.proof
 expect 1 'cut off' '' verify free.json cut.proof
 expect 1 '"valid":false' '' verify --json free.json cut.proof
+# Exact logs, for the checker that is proved.
+expect 0 'the exact log is about \[0, 10\]' '' prove --exact free.json -o exact.log
+head -c 24 exact.log | grep -q '{"format":"taut-exact/1"' || { echo "FAILED: exact log" && cat exact.log; failures=$((failures + 1)); }
+expect 1 'taut-verified checks it' '' verify free.json exact.log
+expect 1 '"exact_until":7\.' '' prove --exact --json hit.json -o exact.log
+expect 2 '' 'leave one of the two out' prove --exact --clearance 0.5 free.json -o exact.log
 prove hit.json 1
 expect 0 'contact within \[.*: vertex [01] of hammer meets edge 2-3 of anvil' '' verify hit.json a.proof
 cp a.proof hit.proof
