@@ -125,6 +125,9 @@ Definition spot_between (k : number) (u v : spot) : spot :=
   (madd (fst u) (mscale k (msub (fst v) (fst u))), madd (snd u) (mscale k (msub (snd v) (snd u)))).
 
 Definition spots (P : placement) (e : vertex * vertex) : spot * spot := (place_vertex P (fst e), place_vertex P (snd e)).
+(** All edges of a part, each vertex placed once. *)
+Definition placed_edges (P : placement) (p : list (list vertex)) : list (spot * spot) :=
+  flat_map (fun r => edges (map (place_vertex P) r)) p.
 
 Definition ring_outside (P : placement) (r : list vertex) (others : list (list (spot * spot))) : bool :=
   match r with
@@ -138,7 +141,7 @@ Definition ring_outside (P : placement) (r : list vertex) (others : list (list (
 Definition all_edges_of (p : list (list vertex)) : list (vertex * vertex) := flat_map edges p.
 
 Definition outside (P Q : placement) (s t : list (list (list vertex))) : bool :=
-  let others := map (fun q => map (spots Q) (all_edges_of q)) t in
+  let others := map (placed_edges Q) t in
   forallb (fun p => forallb (fun r => ring_outside P r others) p) s.
 
 (** * Windows *)

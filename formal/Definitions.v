@@ -115,7 +115,7 @@ Record body := Body { chain : list motion; shape : list (list (list (number * nu
 
 Record scene := Scene {
   start : number;
-  stop : number;
+  stop : number;                      (* the end of the scene's time; a log says itself up to when it proves something *)
   bodies : list body;
   ignored : list (nat * nat);
   at_rest : bool                      (* whether pairs with one and the same chain are tested *)

@@ -250,6 +250,9 @@ Proof.
   unfold all_edges, placed_part, all_edges_of. induction p as [|r p IH]; simpl; auto. rewrite IH, edges_map, map_app. reflexivity.
 Qed.
 
+Lemma placed_edges_spots P p : placed_edges P p = map (spots P) (all_edges_of p).
+Proof. unfold placed_edges, all_edges_of. induction p as [|r p IH]; simpl; auto. rewrite edges_map, IH, map_app. reflexivity. Qed.
+
 (** Each ring has a point of an edge that is outside of the other part in the middle. *)
 Lemma outside_correct F G P Q s t : near_frame zero F P -> near_frame zero G Q -> outside P Q s t = true ->
   forall p q rg, In p s -> In q t -> In rg p -> edges rg <> [] ->
@@ -259,7 +262,7 @@ Proof.
   intros NF NG H p q rg Hp Hq Hr Ne. unfold outside in H. rewrite forallb_forall in H. specialize (H p Hp).
   rewrite forallb_forall in H. specialize (H rg Hr). destruct rg as [|v0 rg]; [destruct Ne; auto|].
   unfold ring_outside in H. rewrite forallb_forall in H.
-  specialize (H (map (spots Q) (all_edges_of q)) (in_map _ _ _ Hq)). apply existsb_exists in H. destruct H as (e & He & H).
+  specialize (H (placed_edges Q q) (in_map _ _ _ Hq)). rewrite placed_edges_spots in H. apply existsb_exists in H. destruct H as (e & He & H).
   unfold spots at 1 in H. apply existsb_exists in H. destruct H as (k & Hk & H).
   exists e, (value k). split; auto. split; [apply fraction_range; auto|].
   destruct (odd_spot _ _) as [[|]|] eqn:O; try discriminate. clear H.

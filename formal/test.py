@@ -144,6 +144,61 @@ def test_reading():
     print(f"reading: {same} scenes as taut reads them, {refused} not covered")
 
 
+def places_in(value, found):
+    """All members and elements, as their owner and key."""
+    for key, inner in list(value.items()) if isinstance(value, dict) else list(enumerate(value)) if isinstance(value, list) else []:
+        found.append((value, key))
+        places_in(inner, found)
+    return found
+
+
+def changed_scene(rng, scene):
+    scene = copy.deepcopy(scene)
+    for _ in range(rng.choice([1, 1, 2])):
+        owner, key = rng.choice(places_in(scene, []))
+        value, kind = owner[key], rng.randrange(6)
+        if kind == 0:
+            del owner[key]
+        elif kind == 1 and isinstance(owner, list):
+            owner.insert(key, copy.deepcopy(value))
+        elif isinstance(value, (int, float)) and not isinstance(value, bool):
+            owner[key] = rng.choice([-value, value + 1, value / 3, value * 2.0 ** rng.randrange(-60, 60), 0, -0.0, 90, 360])
+        elif isinstance(value, str):
+            owner[key] = rng.choice(["*", "test", "skip", "b0", "b1", "P", "Q", ""])
+        else:
+            other_owner, other = rng.choice(places_in(scene, []))
+            owner[key] = copy.deepcopy(other_owner[other])
+    return scene
+
+
+def test_reading_of_changed_scenes():
+    rng, files = random.Random(2), []
+    for number, file in enumerate(listed_scenes()):
+        for k in range(max(1, count // 100)):
+            changed = folder / f"changed_{number}_{k}.json"
+            changed.write_text(json.dumps(changed_scene(rng, json.loads(file.read_text()))))
+            files.append(changed)
+    lines = subprocess.run([exact_logs, "read", *files], capture_output=True, text=True, check=True).stdout.splitlines()
+    by_taut = {line["file"]: line["scene"] for line in map(json.loads, lines)}
+    tally = collections.Counter()
+    for file in files:
+        done = subprocess.run([verified, "--print", file], capture_output=True, text=True)
+        scene = by_taut.get(str(file))
+        tally[done.returncode == accepted, scene is not None] += 1
+        if done.returncode not in (accepted, malformed, not_covered):
+            fail(f"exit code {done.returncode} for {file.read_text()[:1000]}: {done.stderr}")
+        if done.returncode or scene is None:
+            continue
+        read = json.loads(done.stdout)
+        for key, value in as_read_by_taut(scene).items():
+            if read[key] != value:
+                fail(f"{file.read_text()[:1000]}: {key} read as {str(read[key])[:300]}, by taut as {str(value)[:300]}")
+                break
+        file.unlink()
+    print(f"reading of changed scenes: {tally[True, True]} alike, {tally[False, False]} refused by both, "
+          f"{tally[True, False]} by taut alone, {tally[False, True]} by the checker alone")
+
+
 def test_listed():
     tally, seconds = collections.Counter(), [0, 0]
     for file in listed_scenes():
@@ -276,6 +331,9 @@ def test_touching():
     log = {"format": "taut-exact/1", "until": 1, "pairs": [{"pair": [0, 1], "windows": [[0, 1, [1, 0, 1]]]}]}
     if verify(scene, log) != rejected:
         fail("bodies that touch are accepted")
+    for changed in ({"pairs": []}, {"until": -1}):
+        if verify(scene, {**log, **changed}) != rejected:
+            fail(f"accepted: a log with {changed}")
     moved["motion"]["x"] = [1 + 2.0 ** -40]
     log["pairs"][0]["windows"][0][2] = [1, 0, 1 + 2.0 ** -41]
     if verify(scene, log) != accepted:
@@ -299,6 +357,7 @@ def test_touching():
 
 test_touching()
 test_reading()
+test_reading_of_changed_scenes()
 test_listed()
 test_random()
 if failures:

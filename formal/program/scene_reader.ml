@@ -13,7 +13,10 @@ let point where v =
 
 (* Shapes *)
 
-let ring where v = List.map (point where) (Json.list where v)
+let ring where v =
+  match Json.list where v with
+  | _ :: _ :: _ :: _ as vertices -> List.map (point where) vertices
+  | _ -> Json.error where "a polygon has at least three vertices"
 
 (* The heights that a part reaches through; without an end, infinite. *)
 let layers where v =
@@ -280,6 +283,7 @@ let read text =
   let m = Json.members "scene" [ "format"; "time"; "bodies"; "ignore"; "at_rest"; "id"; "$schema" ] v in
   if Json.get "scene" m "format" <> Json.String "taut-scene/1" then Json.error "format" "expected \"taut-scene/1\"";
   let start, stop = point "time" (Json.get "scene" m "time") in
+  if Q.lt (rational stop) (rational start) then Json.error "time" "the end is before the start";
   let bodies = List.mapi (read_body start stop) (Json.list "bodies" (Json.get "scene" m "bodies")) in
   let names = List.map (fun b -> b.name) bodies in
   if List.length (List.sort_uniq compare names) < List.length names then Json.error "bodies" "two bodies have one name";

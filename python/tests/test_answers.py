@@ -1,4 +1,5 @@
 import dataclasses
+import json
 import pathlib
 import pkgutil
 import re
@@ -115,6 +116,15 @@ def test_a_proof_has_the_answer_of_a_check():
         assert taut2d.prove(scene, engine=engine).answer == taut2d.check(scene, engine=engine)
     # Of two engines in turn, the other one may have begun.
     assert taut2d.prove(scene).answer.contact == taut2d.check(scene).contact
+
+
+def test_an_exact_proof_ends_before_the_contact():
+    scene = Scene([ANVIL, HAMMER], (0, 10))
+    proof = taut2d.prove(scene, exact=True)
+    log = json.loads(proof.log)
+    assert log["format"] == "taut-exact/1" and 7.9 < log["until"] < proof.answer.contact.t[0]
+    assert not taut2d.verify(scene, proof)
+
 
 
 @pytest.mark.parametrize("engine", ["kinetic", "spacetime", "usual"])
