@@ -17,7 +17,7 @@ using namespace internal;
 namespace {
 
 /// Windows are halved so often at the most, and pairs get so many, and so many bytes, at the most.
-constexpr int most_halvings = 40;
+constexpr int most_halvings_of_windows = 40;
 constexpr std::size_t most_windows = 100'000, most_bytes = 1 << 24;
 /// Of a contact, the log ends before it, by the first of these shares of the time up to it with which it has windows:
 /// near to the contact they become ever shorter.
@@ -81,7 +81,7 @@ class ExactWriter {
       if (const auto steps = separation.find()) return add(from, to, *steps, text);
     }
     const double middle = from + (to - from) / 2;
-    if (depth == most_halvings || !(from < middle && middle < to) || windows_ > most_windows)
+    if (depth == most_halvings_of_windows || !(from < middle && middle < to) || windows_ > most_windows)
       throw NoWindows{exact_.name(a), exact_.name(b), from};
     window(a, b, chains, from, middle, depth + 1, text);
     window(a, b, chains, middle, to, depth + 1, text);

@@ -25,10 +25,10 @@ using namespace internal;
 namespace {
 
 // How the tolerance is divided. A region reaches beyond what is covered by at most
-//   overreach + sqrt(2) (bend + room) + 2 grids < (1/4 + 1.42 (1/8 + 5/64) + 2/64) tolerance < 0.6 tolerance,
+//   overreach + sqrt(2) (bend + room) + 2 grids < (7/16 + 1.42 (3/16 + 4/64) + 2/64) tolerance < 0.83 tolerance,
 // and by an eighth more where polygons stand for curves.
-constexpr double share_of_bend = 1.0 / 8;
-constexpr double share_of_overreach = 1.0 / 4;
+constexpr double share_of_bend = 3.0 / 16;
+constexpr double share_of_overreach = 7.0 / 16;
 constexpr double share_of_curves = 1.0 / 8;
 constexpr double share_of_grid = 1.0 / 64;
 /// In grid units: what rounding to the grid, and of crossings, may take away on either side, and joints.
@@ -208,7 +208,7 @@ class Sweep {
   /// range of the pose itself.
   double bend_of(const Pose<double>& over, double time) const {
     const auto all = [&](auto part) {
-      return part(over.ox) + part(over.oy) + (part(over.xx) + part(over.xy)) * reach_;
+      return length(part(over.ox), part(over.oy)) + length(part(over.xx), part(over.xy)) * reach_;
     };
     const double by_bend = all([](const Jet<double>& f) { return f.dd.magnitude(); }) * time * time / 8;
     const double by_range = 2 * all([](const Jet<double>& f) { return f.v.rad; });
@@ -284,7 +284,7 @@ class Sweep {
   static void require(bool decided, double t) {
     if (decided) return;
     throw InputError(
-        "swept", "doubles do not decide where the body is to an eighth of the tolerance, near t = " + std::to_string(t),
+        "swept", "doubles do not decide where the body is to a part of the tolerance, near t = " + std::to_string(t),
         "ask for a larger tolerance, or choose coordinates nearer to the origin");
   }
 
