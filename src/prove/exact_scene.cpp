@@ -70,8 +70,8 @@ LocalPlacement composed(const LocalPlacement& a, const LocalPlacement& b, const 
           m.product(a.sine, b.cosine) + m.product(a.cosine, b.sine)};
 }
 
-std::optional<LocalPlacement> placement_of(const MotionPiece& piece, double middle, const LocalModels& m) {
-  const double offset = middle - piece.origin;
+std::optional<LocalPlacement> placement_of(const MotionPiece& piece, const RealMax& middle, const LocalModels& m) {
+  const RealMax offset = middle - piece.origin;
   const auto turn = m.rotation(piece.rotation, offset);
   if (!turn) return std::nullopt;
   const bool turns = !std::holds_alternative<NoRotation>(piece.rotation) || !piece.orbit.angle.empty();
@@ -179,7 +179,7 @@ std::vector<double> joints_between(const std::array<ExactChain, 2>& chains, doub
 
 std::optional<LocalPlacement> placement_in(const ExactChain& chain, double from, double to, const LocalModels& models) {
   std::optional<LocalPlacement> place;
-  const double middle = from + (to - from) / 2;
+  const RealMax middle = (RealMax(from) + to) * 0.5;
   // From the innermost motion outwards, as the checker does: the order shows in the slack.
   for (std::size_t k = chain.size(); k-- > 0;) {
     const auto next = placement_of(piece_in(*chain[k], from, to), middle, models);

@@ -174,7 +174,7 @@ bool ExactSeparation::holds(const ExactStep& step, const Range& p, const Range& 
   const auto on_side = [&](const Side& side, const Range& range, double sign) {
     const Projection along(side.place, step.normal);
     // Far more than what rounding makes of these sums.
-    const double room = 0x1p-40 * (models_.bound(along.base) + models_.bound(level) +
+    const double room = 0x1p-46 * (models_.bound(along.base) + models_.bound(level) +
                                    side.reach * (models_.bound(along.per_x) + models_.bound(along.per_y)));
     return std::all_of(side.edges.begin() + static_cast<std::ptrdiff_t>(range.from),
                        side.edges.begin() + static_cast<std::ptrdiff_t>(range.to), [&](const ExactEdge& e) {

@@ -60,19 +60,20 @@ LocalModel LocalModels::product(const LocalModel& a, const LocalModel& b) const 
   return out;
 }
 
-LocalModel LocalModels::shifted(const Coefficients& polynomial, double offset) const {
-  std::vector<double> q;
+LocalModel LocalModels::shifted(const Coefficients& polynomial, const RealMax& offset) const {
+  std::vector<RealMax> q;
   for (std::size_t k = polynomial.size(); k-- > 0;) {
-    q.push_back(0);
+    q.emplace_back(0);
     for (std::size_t i = q.size(); i-- > 1;) q[i] = q[i] * offset + q[i - 1];
     q[0] = q[0] * offset + polynomial[k];
   }
   LocalModel out;
   for (std::size_t k = 0; k < q.size(); ++k) {
+    const double c = RealTraits<RealMax>::to_double(q[k]);
     if (k < LocalModel::terms) {
-      out.c[k] = q[k];
+      out.c[k] = c;
     } else {
-      out.slack += std::fabs(q[k]) * std::pow(radius_, static_cast<double>(k));
+      out.slack += std::fabs(c) * std::pow(radius_, static_cast<double>(k));
     }
   }
   return out;
@@ -138,7 +139,7 @@ LocalModel LocalModels::clamped(const LocalModel& m) const {
   return out;
 }
 
-std::optional<CosineAndSine> LocalModels::rotation(const Rotation& rotation, double offset) const {
+std::optional<CosineAndSine> LocalModels::rotation(const Rotation& rotation, const RealMax& offset) const {
   using Both = std::optional<CosineAndSine>;
   const LocalModel one = LocalModel::constant(1);
   return std::visit(Overloaded{[&](const NoRotation&) {

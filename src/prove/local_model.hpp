@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "numeric/real.hpp"
 #include "taut/motion.hpp"
 
 namespace taut::internal {
@@ -44,12 +45,12 @@ class LocalModels {
   /// A lower bound of the function.
   double lower(const LocalModel& m) const;
   LocalModel product(const LocalModel& a, const LocalModel& b) const;
-  /// Of a polynomial in (offset + h).
-  LocalModel shifted(const Coefficients& polynomial, double offset) const;
+  /// Of a polynomial in (offset + h). Late in time, its terms are far larger than their sum.
+  LocalModel shifted(const Coefficients& polynomial, const RealMax& offset) const;
   /// Nothing where the window is too long for a model.
   std::optional<CosineAndSine> cos_sin(const LocalModel& angle) const;
   /// Of (cos, sin) as a rotation says, whose polynomials are in (offset + h).
-  std::optional<CosineAndSine> rotation(const Rotation& rotation, double offset) const;
+  std::optional<CosineAndSine> rotation(const Rotation& rotation, const RealMax& offset) const;
 
  private:
   LocalModel one_less(const LocalModel& square, double divisor, const LocalModel& rest) const;
