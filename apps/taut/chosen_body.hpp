@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "taut/feature.hpp"
 #include "taut/scene.hpp"
 
 namespace taut::cli {

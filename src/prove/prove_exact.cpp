@@ -16,9 +16,9 @@ namespace taut {
 using namespace internal;
 namespace {
 
-/// Windows are halved so often at the most, and pairs get so many, and so many bytes, at the most.
+/// Windows are halved so often at the most, and there are so many at the most.
 constexpr int most_halvings_of_windows = 40;
-constexpr std::size_t most_windows = 100'000, most_bytes = 1 << 24;
+constexpr std::size_t most_windows = 100'000;
 /// Of a contact, the log ends before it, by the first of these shares of the time up to it with which it has windows:
 /// near to the contact they become ever shorter.
 constexpr double before_contact[] = {0x1p-10, 0x1p-5, 0x1p-2};
