@@ -199,7 +199,7 @@ expect 0 '^SWEPT  cart passes over' '' swept primitive.json -o way.svg
 for form in dxf wkt geojson json; do expect 0 'at most 0.1 too large' '' swept primitive.json --tolerance 0.1 -o "way.$form"; done
 grep -q 'fill-rule="evenodd"' way.svg && grep -q '^POLYLINE' way.dxf && grep -q '^MULTIPOLYGON ((' way.wkt &&
   grep -q '"type":"Feature"' way.geojson && grep -q '^{"body":"cart","tolerance":0.1' way.json || { echo "FAILED: files of swept"; failures=$((failures + 1)); }
-expect 0 '1 part' '1 part, ' import way.dxf
+expect 0 '"name":"SWEPT"' '1 part, 0 holes' import way.dxf
 expect 0 '^{"body":"wall"' '' swept primitive.json --body wall --json
 expect 2 '' 'way.pdf: the name does not say which form is wanted' swept primitive.json -o way.pdf
 expect 2 '' '--body: there is no body "car"' swept primitive.json --body car

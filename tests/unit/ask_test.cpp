@@ -135,6 +135,8 @@ std::pair<std::string, std::string> values_of(const nlohmann::json& option) {
   const std::string type = option["type"];
   if (type == "word") return {option["words"].back().dump(), "7"};
   if (type == "flag") return {"true", "7"};
+  // A text is a body's name.
+  if (type == "text") return {R"("hammer")", "7"};
   return {type == "number" ? "0.125" : "5", "true"};
 }
 
