@@ -1,9 +1,9 @@
 #include "import/text_encoding.hpp"
 
-#include <iconv.h>
-
 #include <cstddef>
+#include <optional>
 
+#include "io/platform.hpp"
 #include "io/text_file.hpp"
 
 namespace taut::drawing {
@@ -77,24 +77,8 @@ bool is_utf8(const std::string& text) {
 }
 
 std::string to_utf8(const std::string& text, const std::string& encoding) {
-  const iconv_t converter = iconv_open("UTF-8", encoding.c_str());
-  if (converter == reinterpret_cast<iconv_t>(-1)) return valid_part(text);
-  std::string in = text, out;
-  char* from = in.data();
-  for (std::size_t left = in.size(); left > 0;) {
-    char buffer[256];
-    char* to = buffer;
-    std::size_t room = sizeof buffer;
-    const std::size_t before = left;
-    const bool stuck = iconv(converter, &from, &left, &to, &room) == static_cast<std::size_t>(-1);
-    out.append(buffer, to);
-    if (!stuck || left < before) continue;
-    out += replacement;
-    ++from;
-    --left;
-  }
-  iconv_close(converter);
-  return valid_part(out);
+  const std::optional<std::string> known = internal::io::decoded(text, encoding);
+  return valid_part(known ? *known : text);
 }
 
 void to_plain_utf8(std::string& text) {

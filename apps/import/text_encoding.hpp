@@ -7,8 +7,8 @@ namespace taut::drawing {
 
 bool is_utf8(const std::string& text);
 
-/// The text in UTF-8, from an encoding that iconv knows, such as CP1252. What is not in that encoding, or what iconv
-/// does not know, becomes U+FFFD, a character for each byte.
+/// The text in UTF-8, from an encoding that the system knows, such as CP1252. What is not in that encoding becomes
+/// U+FFFD. Of one that is not known, all but ASCII does so.
 std::string to_utf8(const std::string& text, const std::string& encoding);
 
 /// In small letters, as far as they are Latin, Greek or Cyrillic: to compare names.

@@ -1,10 +1,6 @@
 #include "answer_file.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -28,11 +24,11 @@ namespace {
 constexpr std::size_t bytes_at_once = 1 << 16;
 
 /// The offset behind the last line break.
-std::uint64_t end_of_lines(int file, std::uint64_t size) {
+std::uint64_t end_of_lines(const io::SystemFile& file, std::uint64_t size) {
   std::string text(bytes_at_once, '\0');
   while (size > 0) {
     const std::uint64_t from = size > bytes_at_once ? size - bytes_at_once : 0;
-    const ssize_t got = ::pread(file, text.data(), static_cast<std::size_t>(size - from), static_cast<off_t>(from));
+    const std::ptrdiff_t got = file.read_at(from, text.data(), static_cast<std::size_t>(size - from));
     if (got <= 0) return 0;
     const std::size_t found = std::string_view(text.data(), static_cast<std::size_t>(got)).rfind('\n');
     if (found != std::string::npos) return from + found + 1;
@@ -84,26 +80,17 @@ std::optional<int> code_of(const Members& answer, bool allow_untested) {
 
 }  // namespace
 
-AnswerFile::AnswerFile(std::string path) : path_(std::move(path)) {
-  file_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC | O_NONBLOCK, 0666);
-  if (file_ < 0) throw InputError(path_, fmt::format("cannot open it: {}", std::strerror(errno)), "");
-  struct stat status {};
-  const bool regular = ::fstat(file_, &status) == 0 && S_ISREG(status.st_mode);
-  const bool alone = regular && ::flock(file_, LOCK_EX | LOCK_NB) == 0;
-  if (!alone) ::close(file_);
-  if (!regular) throw InputError(path_, "it is not a regular file", "answers are taken up from a file on a disk");
-  if (!alone)
+AnswerFile::AnswerFile(std::string path) : path_(std::move(path)), file_(io::SystemFile::to_append(path_)) {
+  if (!file_.is_open()) throw InputError(path_, fmt::format("cannot open it: {}", std::strerror(errno)), "");
+  if (file_.kind() != io::FileKind::regular)
+    throw InputError(path_, "it is not a regular file", "answers are taken up from a file on a disk");
+  if (!file_.lock())
     throw InputError(path_, "another process writes answers into it",
                      "wait for it, or give each shard a file of its own");
-  end_ = end_of_lines(file_, static_cast<std::uint64_t>(status.st_size));
-  if (::ftruncate(file_, static_cast<off_t>(end_)) != 0) {
-    const std::string why = std::strerror(errno);
-    ::close(file_);
-    throw InputError(path_, "cannot remove half a line at its end: " + why, "");
-  }
+  end_ = end_of_lines(file_, file_.size().value_or(0));
+  if (!file_.truncate(end_))
+    throw InputError(path_, fmt::format("cannot remove half a line at its end: {}", std::strerror(errno)), "");
 }
-
-AnswerFile::~AnswerFile() { ::close(file_); }
 
 bool AnswerFile::next_line(std::string& line) {
   std::size_t found;
@@ -112,7 +99,7 @@ bool AnswerFile::next_line(std::string& line) {
     read_.erase(0, seen_);
     seen_ = 0;
     std::string more(static_cast<std::size_t>(std::min<std::uint64_t>(bytes_at_once, end_ - position_)), '\0');
-    const ssize_t got = ::pread(file_, more.data(), more.size(), static_cast<off_t>(position_));
+    const std::ptrdiff_t got = file_.read_at(position_, more.data(), more.size());
     if (got <= 0) throw InputError(path_, "cannot read it", "");
     position_ += static_cast<std::uint64_t>(got);
     read_.append(more, 0, static_cast<std::size_t>(got));
@@ -168,12 +155,7 @@ void AnswerFile::expect_none() {
 }
 
 bool AnswerFile::append(const std::string& line) {
-  std::size_t written = 0;
-  while (error_ == 0 && written < line.size()) {
-    const ssize_t got = ::write(file_, line.data() + written, line.size() - written);
-    if (got >= 0) written += static_cast<std::size_t>(got);
-    if (got < 0 && errno != EINTR) error_ = errno;
-  }
+  if (error_ == 0 && !file_.write(line.data(), line.size())) error_ = errno;
   return error_ == 0;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "check_batch.hpp"
+#include "io/platform.hpp"
 
 namespace taut::cli {
 
@@ -16,9 +17,6 @@ class AnswerFile {
  public:
   /// Opens the file, or begins one. Throws InputError if it is no regular file, or another process has it.
   explicit AnswerFile(std::string path);
-  ~AnswerFile();
-  AnswerFile(const AnswerFile&) = delete;
-  AnswerFile& operator=(const AnswerFile&) = delete;
 
   /// Is there a next answer? Then `scene` must be what it is about, and it must have been asked with the options of the
   /// batch, as far as answers say them; throws InputError otherwise. Its exit code is in `code`.
@@ -37,7 +35,7 @@ class AnswerFile {
   [[noreturn]] void refuse(const std::string& problem) const;
 
   std::string path_;
-  int file_ = -1;
+  internal::io::SystemFile file_;
   std::string read_;                      ///< what was read last
   std::size_t seen_ = 0;                  ///< how much of it was read
   std::uint64_t position_ = 0, end_ = 0;  ///< of what is read next, and of the whole lines

@@ -1,7 +1,6 @@
 #include "check_batch.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -16,6 +15,7 @@
 #include "commands.hpp"
 #include "interrupt.hpp"
 #include "io/json_text.hpp"
+#include "io/platform.hpp"
 #include "io/terminal_text.hpp"
 #include "io/text_file.hpp"
 #include "progress.hpp"
@@ -50,7 +50,7 @@ class Tasks {
           const BatchTask missing{paths_[current_++], {}};  // reading it will say what is wrong
           return missing;
         }
-        file_ = std::ifstream(paths_[current_]);
+        file_ = std::ifstream(io::path_of(paths_[current_]), std::ios::binary);
       }
       std::istream& in = paths_[current_] == "-" ? std::cin : file_;
       std::string text;
@@ -219,7 +219,7 @@ int check_batch(const CheckBatch& batch) {
   std::uint64_t scenes = 0;
   // Answers that scroll by say as much.
   std::optional<ProgressLine> progress;
-  if (!batch.resume.empty() || isatty(STDOUT_FILENO) == 0) progress.emplace();
+  if (!batch.resume.empty() || !io::is_terminal(stdout)) progress.emplace();
   run_batch(
       threads, [&] { return output.next(tasks, stop); }, [&](const BatchTask& task) { return answer(task, shared); },
       [&](const BatchResult& result) {

@@ -10,6 +10,7 @@
 #include "commands.hpp"
 #include "demo_scenes.hpp"
 #include "generators/generators.hpp"
+#include "io/platform.hpp"
 #include "io/terminal_text.hpp"
 #include "scene_argument.hpp"
 #include "taut/error.hpp"
@@ -76,7 +77,7 @@ const Demo& find_demo(const std::string& name) {
 
 /// What somebody wrote is not to be lost.
 void require_new(const std::string& path) {
-  if (std::filesystem::exists(path))
+  if (std::filesystem::exists(internal::io::path_of(path)))
     throw InputError(path, "the file is there already", "write to another folder with -d, or over it with --force");
 }
 

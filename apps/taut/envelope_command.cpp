@@ -10,6 +10,7 @@
 #include "envelope_page.hpp"
 #include "feature_text.hpp"
 #include "interrupt.hpp"
+#include "io/platform.hpp"
 #include "scene_argument.hpp"
 #include "taut/envelope.hpp"
 #include "taut/io.hpp"
@@ -61,7 +62,7 @@ std::string envelope_in_words(const Linkage& linkage, const Envelope& answer) {
 }
 
 std::string title_of(const EnvelopeArguments& arguments) {
-  return std::filesystem::path(arguments.scene.source.path).stem().string();
+  return internal::io::name_of(internal::io::path_of(arguments.scene.source.path).stem());
 }
 
 int run_envelope(const EnvelopeArguments& arguments) {

@@ -12,6 +12,7 @@
 #include "commands.hpp"
 #include "import/heights.hpp"
 #include "import/import.hpp"
+#include "io/platform.hpp"
 #include "io/terminal_text.hpp"
 #include "progress.hpp"
 #include "scene_argument.hpp"
@@ -52,7 +53,7 @@ std::vector<std::string> names_in(const std::string& list) {
 /// A file that is there already is not that of this run.
 void tell_unwritten(const std::string& output) {
   std::error_code none;
-  if (!output.empty() && std::filesystem::is_regular_file(output, none))
+  if (!output.empty() && std::filesystem::is_regular_file(internal::io::path_of(output), none))
     fmt::print(stderr, "taut: {}\n", not_written("scene", output));
 }
 

@@ -31,7 +31,12 @@ void handle(int signal, void (*handler)(int)) {
 }  // namespace
 
 void clean_up_on_signals() {
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) handle(signal, end_on_signal);
+  for (const int signal : {SIGINT, SIGTERM}) handle(signal, end_on_signal);
+#ifdef _WIN32
+  handle(SIGBREAK, end_on_signal);  // Ctrl-Break, and a console that is closed
+#else
+  for (const int signal : {SIGHUP, SIGQUIT}) handle(signal, end_on_signal);
+#endif
 }
 
 const std::atomic<bool>* stop_on_signals() {

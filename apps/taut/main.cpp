@@ -9,6 +9,7 @@
 #include "commands.hpp"
 #include "interrupt.hpp"
 #include "io/json_object.hpp"
+#include "io/platform.hpp"
 #include "io/text_file.hpp"
 #include "taut/error.hpp"
 #include "taut/simulation.hpp"
@@ -49,6 +50,7 @@ void add_commands(const taut::cli::Command& app, taut::cli::Action& action, int 
 }  // namespace
 
 int main(int argc, char** argv) {
+  taut::internal::io::start_program(argc, argv);
   taut::cli::Program program("taut: exactly when moving shapes first touch, or a proof that they never do", "taut");
   program.version("taut " TAUT_VERSION);
   const taut::cli::Command app = program.command();

@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "commands.hpp"
+#include "io/platform.hpp"
 #include "io/terminal_text.hpp"
 #include "taut/io.hpp"
 
@@ -51,7 +52,7 @@ void write_output(const std::string& path, const std::string& text) {
 std::string not_written(const std::string& what, const std::string& path) {
   std::error_code ignored;
   const std::string name = internal::io::line_for_terminal(path);
-  const bool old = std::filesystem::is_regular_file(path, ignored);
+  const bool old = std::filesystem::is_regular_file(internal::io::path_of(path), ignored);
   return "no " + what + " was written" + (old ? "; " + name + " is an older file, left as it was" : "");
 }
 

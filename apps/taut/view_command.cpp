@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "commands.hpp"
+#include "io/platform.hpp"
 #include "scene/body_pair.hpp"
 #include "scene/curved_world.hpp"
 #include "scene_argument.hpp"
@@ -36,7 +37,7 @@ int run_view(const ViewArguments& arguments) {
   }
   ViewerOptions options = arguments.options;
   if (options.title.empty() && arguments.scene.path != "-")
-    options.title = std::filesystem::path(arguments.scene.path).stem().string();
+    options.title = internal::io::name_of(internal::io::path_of(arguments.scene.path).stem());
   write_viewer(scene, options, arguments.output);
   return exit_free;
 }

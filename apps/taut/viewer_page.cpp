@@ -1,10 +1,12 @@
 #include "viewer_page.hpp"
 
 #include <filesystem>
+#include <optional>
 #include <system_error>
 #include <vector>
 
 #include "io/json_text.hpp"
+#include "io/platform.hpp"
 #include "io/text_file.hpp"
 #include "scene_argument.hpp"
 #include "taut/error.hpp"
@@ -24,10 +26,9 @@ constexpr std::size_t largest_template = std::size_t{1} << 28;
 
 /// In order of preference; right for an installed taut, for one beside its page, and for build/release/taut.
 std::vector<fs::path> candidates(const std::string& name) {
-  std::error_code error;
-  const fs::path executable = fs::read_symlink("/proc/self/exe", error);
-  if (error) return {};
-  const fs::path folder = executable.parent_path();
+  const std::optional<fs::path> program = io::running_program();
+  if (!program) return {};
+  const fs::path folder = program->parent_path();
   return {folder / "../share/taut" / name, folder / name, folder / "../web" / name};
 }
 
@@ -35,8 +36,8 @@ std::string find_template(const std::string& name) {
   std::string tried;
   for (const fs::path& path : candidates(name)) {
     std::error_code error;
-    if (fs::is_regular_file(path, error)) return path.string();
-    tried += (tried.empty() ? "" : ", ") + path.lexically_normal().string();
+    if (fs::is_regular_file(path, error)) return io::name_of(path);
+    tried += (tried.empty() ? "" : ", ") + io::name_of(path.lexically_normal());
   }
   throw InputError("", "the viewer's page is missing" + (tried.empty() ? tried : " (looked for " + tried + ")"),
                    remedy);

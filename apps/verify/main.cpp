@@ -1,11 +1,13 @@
 // taut-verify: checks a proof log, with none of the code that writes such logs.
 #include <exception>
 
+#include "io/platform.hpp"
 #include "taut/error.hpp"
 #include "terminal.hpp"
 #include "verify_report.hpp"
 
 int main(int argc, char** argv) {
+  taut::internal::io::start_program(argc, argv);
   const char* const program = "taut-verify";
   taut::cli::Program app("taut-verify: check a proof, and say what it proves", program);
   taut::cli::VerifyArguments arguments;

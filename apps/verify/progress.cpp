@@ -1,13 +1,13 @@
 #include "progress.hpp"
 
 #include <fmt/format.h>
-#include <sys/ioctl.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+
+#include "io/platform.hpp"
 
 namespace taut::cli {
 namespace {
@@ -27,11 +27,6 @@ std::string bar(double share) {
   std::string s(width, ' ');
   std::fill_n(s.begin(), static_cast<int>(share * width), '=');
   return "[" + s + "]";
-}
-
-std::size_t terminal_width() {
-  winsize size{};
-  return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
 }
 
 }  // namespace
@@ -56,7 +51,7 @@ std::string progress_line(const ProgressMeter& meter, double start, double end, 
 }
 
 ProgressLine::ProgressLine(const Scene* scene) {
-  if (isatty(STDERR_FILENO) == 0) return;
+  if (!internal::io::is_terminal(stderr)) return;
   if (scene) {
     start_ = scene->start;
     end_ = scene->end;
@@ -80,7 +75,8 @@ void ProgressLine::show() {
   bool shown = false;
   for (auto next = began + silent; !ended_.wait_until(lock, next, [this] { return over_; }); next += between_lines) {
     const std::chrono::duration<double> spent = ProgressClock::now() - began;
-    fmt::print(stderr, "\r{}\x1b[K", progress_line(meter_, start_, end_, spent.count(), terminal_width() - 1));
+    fmt::print(stderr, "\r{}\x1b[K",
+               progress_line(meter_, start_, end_, spent.count(), internal::io::terminal_width() - 1));
     std::fflush(stderr);
     shown = true;
   }

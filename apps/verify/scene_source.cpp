@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "io/json_object.hpp"
+#include "io/platform.hpp"
 #include "io/text_file.hpp"
 #include "taut/error.hpp"
 #include "taut/io.hpp"
@@ -94,7 +95,7 @@ PathProblem load_path_problem(const SceneSource& source) {
 
 bool has_joints(const SceneSource& source) {
   std::error_code none;
-  if (!std::filesystem::is_regular_file(source.path, none)) return false;
+  if (!std::filesystem::is_regular_file(internal::io::path_of(source.path), none)) return false;
   try {
     const internal::io::JsonDocument document =
         internal::io::parse_json(internal::io::read_text_file(source.path, ReadLimits{}.max_bytes), source.path, "");

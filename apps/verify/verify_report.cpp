@@ -10,6 +10,7 @@
 #include "feature_text.hpp"
 #include "io/answer_json.hpp"
 #include "io/json_text.hpp"
+#include "io/platform.hpp"
 #include "io/text_file.hpp"
 #include "numeric/budget.hpp"
 #include "progress.hpp"
@@ -110,7 +111,7 @@ auto with_log(const std::string& log, const Read& read) {
     return read(all);
   }
   io::open_regular_file(log);  // says what is wrong
-  std::ifstream file(log, std::ios::binary);
+  std::ifstream file(io::path_of(log), std::ios::binary);
   if (file.peek() == std::ifstream::traits_type::eof())
     throw InputError(log, "the file is empty", "`taut prove` writes proofs");
   return read(file);

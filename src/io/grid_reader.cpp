@@ -8,6 +8,7 @@
 
 #include "io/named_file.hpp"
 #include "io/number_text.hpp"
+#include "io/platform.hpp"
 #include "io/text_file.hpp"
 #include "taut/error.hpp"
 #include "taut/grid.hpp"

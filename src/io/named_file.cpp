@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "io/platform.hpp"
 #include "taut/error.hpp"
 
 namespace taut::internal::io {
@@ -12,16 +13,18 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string in_folder(const std::string& folder, const std::string& file) {
-  const bool absolute = !file.empty() && file[0] == '/';
+  // A drive, or a root, of Windows is another folder, too.
+  const fs::path path = path_of(file);
+  const bool absolute = path.has_root_name() || path.has_root_directory();
   return absolute || folder.empty() || folder == "." ? file : folder + "/" + file;
 }
 
 /// Paths that cannot be followed are not below anything.
 bool lies_below(const std::string& path, const std::string& folder) {
   std::error_code error;
-  const fs::path home = fs::canonical(folder.empty() ? "." : folder, error);
+  const fs::path home = fs::canonical(path_of(folder.empty() ? "." : folder), error);
   if (error) return false;
-  const fs::path target = fs::weakly_canonical(fs::absolute(path, error), error);
+  const fs::path target = fs::weakly_canonical(fs::absolute(path_of(path), error), error);
   if (error) return false;
   return std::mismatch(home.begin(), home.end(), target.begin(), target.end()).first == home.end();
 }

@@ -9,6 +9,7 @@
 #include "io/motion_reader.hpp"
 #include "io/named_file.hpp"
 #include "io/outline_reader.hpp"
+#include "io/platform.hpp"
 #include "io/text_file.hpp"
 #include "taut/error.hpp"
 #include "taut/io.hpp"

@@ -1,24 +1,18 @@
 #include "io/text_file.hpp"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <optional>
 
+#include "io/platform.hpp"
 #include "taut/error.hpp"
 
 namespace taut::internal::io {
 
 void require_size(const std::string& text, const std::string& name, std::size_t max_bytes) {
   require_size(text.size(), name, max_bytes);
-}
-
-std::string folder_of(const std::string& path) {
-  const std::size_t slash = path.rfind('/');
-  return slash == std::string::npos ? "." : slash == 0 ? "/" : path.substr(0, slash);
 }
 
 std::string read_text_file(const std::string& path, std::size_t max_bytes) {
@@ -70,10 +64,19 @@ namespace {
                    error == EACCES ? "ask its owner for permission to read it, as `chmod +r` gives" : "check the path");
 }
 
-const char* kind_of(mode_t mode) {
-  if (S_ISDIR(mode)) return "it is a folder";
-  if (S_ISFIFO(mode)) return "it is a pipe";
-  if (S_ISSOCK(mode)) return "it is a socket";
+const char* words_for(FileKind kind) {
+  switch (kind) {
+    case FileKind::regular:
+      return "it is a file";
+    case FileKind::folder:
+      return "it is a folder";
+    case FileKind::pipe:
+      return "it is a pipe";
+    case FileKind::socket:
+      return "it is a socket";
+    case FileKind::device:
+      break;
+  }
   return "it is a device";
 }
 
@@ -88,27 +91,20 @@ void require_size(std::uintmax_t bytes, const std::string& name, std::size_t max
 FilePointer open_regular_file(const std::string& path, std::size_t max_bytes) {
   // What follows a NUL would be lost.
   if (path.find('\0') != std::string::npos) fail_to_open(path, EINVAL);
-  // Opening a pipe would wait for somebody to write to it.
-  const int descriptor = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
-  if (descriptor < 0) fail_to_open(path, errno);
-  struct stat status {};
-  const bool known = ::fstat(descriptor, &status) == 0;
-  if (known && !S_ISREG(status.st_mode)) {
-    ::close(descriptor);
-    throw InputError(path, std::string("cannot read the file: ") + kind_of(status.st_mode),
+  // Opening a pipe by the standard library would wait for somebody to write to it.
+  SystemFile file = SystemFile::to_read(path);
+  if (!file.is_open()) fail_to_open(path, errno);
+  const std::optional<FileKind> kind = file.kind();
+  if (!kind) fail_to_open(path, errno);
+  if (*kind != FileKind::regular)
+    throw InputError(path, std::string("cannot read the file: ") + words_for(*kind),
                      "give the path of a text file; what comes through a pipe can be read from standard input");
-  }
-  if (known && static_cast<std::uintmax_t>(status.st_size) > max_bytes) {
-    ::close(descriptor);
-    require_size(static_cast<std::uintmax_t>(status.st_size), path, max_bytes);
-  }
-  std::FILE* file = known ? ::fdopen(descriptor, "rb") : nullptr;
-  if (!file) {
-    const int error = errno;
-    ::close(descriptor);
-    fail_to_open(path, error);
-  }
-  return {file, &std::fclose};
+  const std::optional<std::uint64_t> size = file.size();
+  if (!size) fail_to_open(path, errno);
+  require_size(*size, path, max_bytes);
+  std::FILE* stream = file.to_stream();
+  if (!stream) fail_to_open(path, errno);
+  return {stream, &std::fclose};
 }
 
 }  // namespace taut::internal::io

@@ -9,9 +9,6 @@
 
 namespace taut::internal::io {
 
-/// The folder that a path is in: "." for a bare name.
-std::string folder_of(const std::string& path);
-
 /// The whole file, but for a byte order mark. Throws InputError if it cannot be read or has more than `max_bytes`
 /// bytes.
 std::string read_text_file(const std::string& path, std::size_t max_bytes);

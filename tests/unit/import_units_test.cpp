@@ -1,10 +1,9 @@
 // Several files in different units.
 #include <gtest/gtest.h>
 
-#include <unistd.h>
-
 #include <filesystem>
 #include <fstream>
+#include <random>
 
 #include "support/drawings.hpp"
 #include "taut/error.hpp"
@@ -18,7 +17,9 @@ using testing::DxfText;
 
 class ImportUnits : public ::testing::Test {
  protected:
-  ImportUnits() : folder_(std::filesystem::temp_directory_path() / ("taut_import_units_" + std::to_string(getpid()))) {
+  ImportUnits()
+      : folder_(std::filesystem::temp_directory_path() /
+                ("taut_import_units_" + std::to_string(std::random_device()()))) {
     std::filesystem::create_directories(folder_);
     DxfText box;
     box.box({0, 0}, {2, 1});

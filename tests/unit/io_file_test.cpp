@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
+#ifndef _WIN32
 #include <sys/stat.h>
+#endif
 
 #include <algorithm>
 #include <filesystem>
@@ -8,6 +10,7 @@
 
 #include "io/atomic_file.hpp"
 #include "io/number_text.hpp"
+#include "io/platform.hpp"
 #include "io/text_file.hpp"
 #include "taut/error.hpp"
 #include "taut/io.hpp"
@@ -17,6 +20,12 @@ using namespace internal;
 namespace {
 
 namespace fs = std::filesystem;
+
+#ifdef _WIN32
+const char* const null_device = "NUL";
+#else
+const char* const null_device = "/dev/null";
+#endif
 
 class WriteFile : public ::testing::Test {
  protected:
@@ -67,11 +76,14 @@ TEST_F(WriteFile, NamesAMissingFolder) {
 }
 
 TEST_F(WriteFile, DoesNotReplaceADevice) {
-  write_file("/dev/null", "text");
-  EXPECT_TRUE(fs::is_character_file("/dev/null"));
+  write_file(null_device, "text");
+  EXPECT_TRUE(io::is_device(null_device));
 }
 
 TEST_F(WriteFile, KeepsTheModeOfWhatItReplaces) {
+#ifdef _WIN32
+  GTEST_SKIP() << "files of Windows have no mode";
+#endif
   const fs::path path = folder_ / "a.txt";
   write_file(path.string(), "first");
   for (const fs::perms mode : {fs::perms::owner_read | fs::perms::owner_write, fs::perms::all}) {
@@ -96,7 +108,7 @@ TEST_F(WriteFile, UnfinishedFilesCanBeRemovedAtOnce) {
 
 TEST_F(WriteFile, NamesEndWhereTheyEnd) {
   EXPECT_THROW(write_file((folder_ / "a").string() + std::string("\0b", 2), "text"), InputError);
-  EXPECT_THROW(io::read_text_file("/dev/null" + std::string("\0b", 2), 10), InputError);
+  EXPECT_THROW(io::read_text_file(null_device + std::string("\0b", 2), 10), InputError);
   EXPECT_EQ(files(), 0);
 }
 
@@ -112,14 +124,44 @@ TEST_F(WriteFile, OnlyRegularFilesAreRead) {
       return e.problem();
     }
   };
+  EXPECT_EQ(problem(null_device), "cannot read the file: it is a device");
+  EXPECT_EQ(problem(folder_.string()), "cannot read the file: it is a folder");
+  write_file((folder_ / "a").string(), "text");
+  EXPECT_EQ(problem((folder_ / "a").string()), "");
+#ifndef _WIN32
   const std::string pipe = (folder_ / "pipe").string();
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
   EXPECT_EQ(problem(pipe), "cannot read the file: it is a pipe");
   EXPECT_EQ(problem("/dev/zero"), "cannot read the file: it is a device");
-  EXPECT_EQ(problem(folder_.string()), "cannot read the file: it is a folder");
-  write_file((folder_ / "a").string(), "text");
   fs::create_symlink("a", folder_ / "link");
   EXPECT_EQ(problem((folder_ / "link").string()), "");
+#endif
+}
+
+/// Whatever the code page of a console is.
+TEST_F(WriteFile, NamesAreUtf8) {
+  const std::string name = io::name_of(folder_ / fs::path(u"\u30d7 \u0441\u0446 \u00e9.txt"));
+  EXPECT_NE(name.find("\xe3\x83\x97 \xd1\x81\xd1\x86 \xc3\xa9.txt"), std::string::npos);
+  write_file(name, "first");
+  write_file(name, "text");
+  EXPECT_EQ(io::read_text_file(name, 4), "text");
+  EXPECT_EQ(content(io::path_of(name)), "text");
+  EXPECT_EQ(files(), 1);
+}
+
+TEST(FolderOf, IsWhatTheNameBeginsWith) {
+  EXPECT_EQ(io::folder_of("a"), ".");
+  EXPECT_EQ(io::folder_of("a/b"), "a");
+  EXPECT_EQ(io::folder_of("a/b/c"), "a/b");
+  EXPECT_EQ(io::folder_of("/a"), "/");
+#ifdef _WIN32
+  EXPECT_EQ(io::folder_of("a\\b/c"), "a\\b");
+  EXPECT_EQ(io::folder_of("a/b\\c"), "a/b");
+  EXPECT_EQ(io::folder_of("C:\\a"), "C:\\");
+  EXPECT_EQ(io::folder_of("C:a"), "C:");
+#else
+  EXPECT_EQ(io::folder_of("a\\b"), ".");
+#endif
 }
 
 TEST_F(WriteFile, AFolderIsNoScene) { EXPECT_THROW(read_scene(folder_.string()), InputError); }
