@@ -120,7 +120,10 @@ std::vector<std::string> Command::command_names() const {
 }
 
 Program::Program(const std::string& description, const std::string& name)
-    : app_(std::make_unique<CLI::App>(description, name)) {}
+    : app_(std::make_unique<CLI::App>(description, name)) {
+  // The same words on all systems; and files may have names that begin with a slash.
+  app_->allow_windows_style_options(false);
+}
 Program::~Program() = default;
 
 void Program::version(const std::string& text) { app_->set_version_flag("--version", text); }
