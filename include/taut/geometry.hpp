@@ -7,6 +7,11 @@
 #include <optional>
 #include <vector>
 
+// MSVC tells the language in a macro of its own.
+#if (defined(_MSVC_LANG) ? _MSVC_LANG : __cplusplus) < 202002L
+#error "taut needs C++20: compile with -std=c++20, or /std:c++20"
+#endif
+
 namespace taut {
 
 /// A point of the plane; the two doubles mean exactly what they say.
