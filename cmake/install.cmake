@@ -19,6 +19,10 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/taut.pc DESTINATION ${CMAKE_INSTALL_LI
 
 if(TARGET taut_cli)
   install(TARGETS taut_cli taut_verify RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  # The page of `taut view`, if `./dev web` has built it.
+  install(FILES ${CMAKE_BINARY_DIR}/../web/viewer.html ${CMAKE_BINARY_DIR}/../web/envelope.html DESTINATION ${CMAKE_INSTALL_DATADIR}/taut OPTIONAL)
+endif()
+if(TARGET taut_cli AND NOT WIN32)
   # The command writes these itself.
   set(manuals ${CMAKE_CURRENT_BINARY_DIR}/manuals)
   file(MAKE_DIRECTORY ${manuals})
@@ -34,6 +38,4 @@ if(TARGET taut_cli)
   install(FILES ${manuals}/taut.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME taut)
   install(FILES ${manuals}/_taut DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
   install(FILES ${manuals}/taut.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
-  # The page of `taut view`, if `./dev web` has built it.
-  install(FILES ${CMAKE_BINARY_DIR}/../web/viewer.html ${CMAKE_BINARY_DIR}/../web/envelope.html DESTINATION ${CMAKE_INSTALL_DATADIR}/taut OPTIONAL)
 endif()

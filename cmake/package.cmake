@@ -1,11 +1,19 @@
-# Debian packages, by CPack: `./dev package`. taut has all that is installed; python3-taut2d has the Python package.
+# Packages, by CPack. Debian's (`./dev package`): taut has all that is installed; python3-taut2d has the Python package.
+# Of Windows (`./dev windows`) one archive.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME taut)
 set(CPACK_PACKAGE_VENDOR "The authors of taut")
 set(CPACK_PACKAGE_CONTACT "The authors of taut <taut@localhost>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Exactly when moving shapes first touch, or a proof that they never do")
-set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
+if(WIN32)
+  set(CPACK_GENERATOR ZIP)
+  set(CPACK_PACKAGE_FILE_NAME taut-${PROJECT_VERSION}-windows-x86_64)
+  install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION . RENAME LICENSE.txt)
+  include(CPack)
+  return()
+endif()
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_COMPONENTS_ALL taut)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
