@@ -104,7 +104,7 @@ run 0 taut check --json --resume answers.jsonl again.json second.json
 cmp -s answers.jsonl whole.jsonl || fail "other answers after a run was ended"
 
 # Ctrl-C ends a run with an answer, and twice leaves nothing behind.
-run 0 taut gen rotor -n 3000 -o long.json
+run 0 taut gen rotor -n 12000 -o long.json
 wine "$build/taut.exe" check --engine kinetic long.json >out 2>err </dev/null &
 sleep 3
 kill -INT $!
