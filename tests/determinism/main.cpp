@@ -8,6 +8,7 @@
 // scenes.txt has scenes of the soak (`./dev soak --print N`), one a line. They are kept as text because the generators
 // call the C library's sin, cos and exp, whose last bits differ from one machine to the next.
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
@@ -24,6 +25,7 @@
 #include "taut/intervals.hpp"
 #include "taut/io.hpp"
 #include "taut/proof.hpp"
+#include "taut/swept.hpp"
 
 namespace taut::determinism {
 using namespace internal;
@@ -49,8 +51,20 @@ class LinesTracer : public Tracer {
   io::TraceWriter writer_;
 };
 
+/// The region that the first body that moves passes over, coarsely.
+std::string first_region(const Scene& scene) {
+  const auto moves = [](const Body& body) { return !body.motion.pieces.empty(); };
+  const auto mover = std::find_if(scene.bodies.begin(), scene.bodies.end(), moves);
+  if (mover == scene.bodies.end() || mover->polygon.empty()) return "";
+  SweptOptions coarse;
+  for (const Point& p : mover->polygon)
+    coarse.tolerance = std::max({coarse.tolerance, std::fabs(p.x) / 32, std::fabs(p.y) / 32});
+  const auto body = static_cast<BodyId>(mover - scene.bodies.begin());
+  return swept_json(scene, body, swept(scene, body, coarse)) + '\n';
+}
+
 /// When bodies overlap; and of scenes for which that does not take seconds how far from each other they are, which is
-/// the same for both ways of touching.
+/// the same for both ways of touching, and the region of a body.
 std::string questions(const Scene& scene, Touch touch, bool distances) {
   std::string answers;
   try {
@@ -66,6 +80,7 @@ std::string questions(const Scene& scene, Touch touch, bool distances) {
     profile.relative = 1e-6;
     profile.halvings = 10;
     answers += profile_json(scene, distance_profile(scene, profile)) + '\n';
+    answers += first_region(scene);
   } catch (const InputError& error) {
     answers += error.what();
   }

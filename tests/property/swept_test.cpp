@@ -11,6 +11,7 @@
 #include "support/made_world.hpp"
 #include "taut/check.hpp"
 #include "taut/error.hpp"
+#include "taut/io.hpp"
 #include "taut/motions.hpp"
 
 namespace taut::testing {
@@ -208,6 +209,15 @@ TEST(Swept, AreasThatAreKnown) {
   fast.pieces = {{{}, {}, CosineRotation{{1, -1}}}};
   const SweptRegion quarter = swept(moved({{0, -1e-3}, {1, -1e-3}, {1, 1e-3}, {0, 1e-3}}, fast, 1), 0, {1e-2, {}});
   EXPECT_NEAR(quarter.area, pi / 4, 0.03);
+}
+
+TEST(Swept, CurvesAreWithinPolygonsAroundThem) {
+  constexpr double pi = 3.14159265358979323846;
+  const Scene scene = parse_scene(R"({"format": "taut-scene/1", "time": [0, 1], "bodies": [
+      {"name": "disc", "polygon": {"path": "M1 0 A1 1 0 0 1 -1 0 A1 1 0 0 1 1 0 Z"}, "motion": {"velocity": [3, 0]}}]})");
+  const SweptRegion region = swept(scene, 0, {1e-2, {}});
+  EXPECT_GE(region.area, pi + 6);
+  EXPECT_LE(region.area, pi * 1.01 * 1.01 + 6.06);
 }
 
 TEST(Swept, SaysWhatItCannotDo) {
