@@ -224,8 +224,8 @@ class Scene:
                 body = Body([Ring(r[0], self.exponent, *r[1:]) for r in rings if r[2] in parts], k)
                 body.in_scene, body.z = k, z
                 (self.bodies if z is sections[0][0] else above).append(body)
-            self.own.append(made_between(Piece, given_pieces(compiled(json["bodies"][k].get("motion"), self.start, self.end)),
-                                          self.start, self.end))
+            motion = compiled(json["bodies"][k].get("motion"), self.start, self.end)
+            self.own.append(self.pieces(given_pieces(motion)))
         self.in_scene = len(self.bodies)
         self.bodies += above
         self.at_rest_tested = json.get("at_rest") == "test"
@@ -287,8 +287,14 @@ class Scene:
     def fingerprint(self, closed):
         return hashlib.sha256(b"taut scene 3" + bytes([closed]) + self.hashed).digest()
 
+    def pieces(self, given):
+        return made_between(Piece, given, self.start, self.end)
+
+    def motions(self):
+        return [cut_at_extremes(pieces, self.start, self.end) for pieces in self.own]
+
     def _find_chains(self):
-        moved = [cut_at_extremes(pieces, self.start, self.end) for pieces in self.own]
+        moved = self.motions()
         for pieces in moved:
             for piece in pieces:
                 piece.scale(self.exponent)
