@@ -10,6 +10,7 @@
 
 namespace taut {
 
+/// Of swept().
 struct SweptOptions {
   /// How far the region may reach beyond what the body passes over, in units of the scene; 0: a thousandth of the
   /// diagonal of the body's box.

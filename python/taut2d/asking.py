@@ -7,7 +7,7 @@ from typing import Optional, Union
 
 from .answers import Answer, Proof, Verified, answer_from_json, verified_from_json
 from .margins import MarginProof
-from .options import ask, asked_scene
+from .options import ask, asked_scene, scene_text
 from .scene import Scene, _plain_places
 from .words import Engine, Pairs, Touch
 
@@ -53,7 +53,7 @@ def prove(scene: Scene, *, touch: Touch = "open", engine: Engine = "usual", max_
     scene has curves or a mechanism, there is none.
     """
     with _plain_places():
-        answer, log, name = ask("prove", asked_scene(scene), touch=touch, engine=engine, max_seconds=max_seconds,
+        answer, log, name = ask("prove", scene_text(scene) if exact else asked_scene(scene), touch=touch, engine=engine, max_seconds=max_seconds,
                                 max_events=max_events, exact=exact)
     return Proof(answer_from_json(answer, scene), log, name)
 

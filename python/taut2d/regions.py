@@ -42,7 +42,7 @@ def swept(scene: Scene, body: str, *, tolerance: Optional[float] = None, max_sec
     """
     with _plain_places():
         text, _, _ = ask("swept", scene_text(scene), body=body, max_seconds=max_seconds,
-                         tolerance=None if tolerance is None else number(tolerance, "tolerance"))
+                         tolerance=0.0 if tolerance is None else number(tolerance, "tolerance"))
     value = json.loads(text)
 
     def ring(points: Any) -> Ring:

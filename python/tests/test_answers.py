@@ -19,11 +19,11 @@ ANVIL = Body("anvil", [(0, 0), (4, 0), (4, 1), (0, 1)])
 HAMMER = Body("hammer", [(1, 5), (3, 5), (2, 6)], taut2d.Velocity((0, -0.5)))
 
 # Ten million turns of two sticks at right angles, which pass each other closely four times in each: nobody waits for the
-# end.
+# end. One drifts a little, so that they never repeat their places.
 LONG = """
 import taut2d
 stick = [(-1, -0.05), (1, -0.05), (1, 0.05), (-1, 0.05)]
-scene = taut2d.Scene([taut2d.Body("a", stick, taut2d.Velocity(spin_deg=360)),
+scene = taut2d.Scene([taut2d.Body("a", stick, taut2d.Velocity((1e-9, 0), spin_deg=360)),
                       taut2d.Body("b", [(1.6 - y, x) for x, y in stick], taut2d.Velocity(spin_deg=360, pivot=(1.6, 0)))],
                      (0, 1e7))
 """

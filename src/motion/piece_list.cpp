@@ -147,10 +147,11 @@ std::optional<PieceList::Rates> PieceList::last_rates(double end) const {
   if (place.x > 1 || place.y > 1 || place.orbit > 2 || place.form == Form::joint) return std::nullopt;
   if (place.a > (angle ? 2 : 1) || place.b > 1) return std::nullopt;
   Rates rates{k > 0 ? until(k - 1) : -std::numeric_limits<double>::infinity(), 0, 0};
-  if (angle && place.a == 2) rates.turn = packed_->numbers[place.first + place.x + place.y + 1];
+  if (angle && place.a == 2)
+    rates.turn = packed_->numbers[static_cast<std::size_t>(place.first) + place.x + place.y + 1];
   // The orbit's angle comes last, before its centre.
-  const std::size_t before_orbit =
-      place.first + place.x + place.y + place.a + place.b + (place.pivot ? 2u : 0u) + (place.origin ? 1u : 0u);
+  const std::size_t before_orbit = static_cast<std::size_t>(place.first) + place.x + place.y + place.a + place.b +
+                                   (place.pivot ? 2u : 0u) + (place.origin ? 1u : 0u);
   if (place.orbit == 2) rates.orbit = packed_->numbers[before_orbit + 1];
   return rates;
 }
