@@ -45,6 +45,6 @@ def test_faults():
     with pytest.raises(taut2d.InputError, match="there is no body"):
         taut2d.swept(scene, "cart")
     with pytest.raises(taut2d.InputError, match="too small"):
-        taut2d.swept(scene, "car", tolerance=1e-13)
+        taut2d.swept(scene, "car", tolerance=1e-10)
     with pytest.raises(taut2d.UndecidedError):
         taut2d.swept(scene, "car", max_seconds=0)
