@@ -31,11 +31,11 @@ struct SweptRegion {
 /// poses; and every point of it is within the tolerance of a point that the body covers at some instant. Other bodies
 /// do not matter. A body with curves is taken as polygons around it, which are at most an eighth of the tolerance away.
 ///
-/// Unions are made by Boost.Polygon on a grid of at most 1/64 of the tolerance, with room for what it rounds. The time
+/// Unions are made by Boost.Polygon on a grid of at most 1/512 of the tolerance, with room for what it rounds. The time
 /// grows with the number of poses, about the way of the body over the square root of the tolerance times the size.
 ///
 /// Throws InputError if the scene is not valid, if there is no such body, or if the tolerance is not positive or less
-/// than 2^-21 of the largest coordinate of the region; UndecidedError if it is stopped.
+/// than 2^-18 of the largest coordinate of the region; UndecidedError if it is stopped.
 SweptRegion swept(const Scene& scene, BodyId body, const SweptOptions& options = {});
 
 /// {"body": name, "tolerance": x, "area": a, "parts": [{"outline": [[x, y], ...], "holes": [...]}, ...]} on one line,

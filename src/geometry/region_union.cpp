@@ -10,6 +10,7 @@
 
 #include "geometry/touching_rings.hpp"
 #include "numeric/budget.hpp"
+#include "taut/error.hpp"
 
 /// Where edges cross is computed in long double otherwise, which is not the same on all platforms.
 namespace boost::polygon {
@@ -200,6 +201,9 @@ void RegionUnion::add(const Part& part) {
 
 std::vector<Part> RegionUnion::parts() {
   levels_->unite();
+  // Each polygon is united once at first, once with each level that is full, and then with the levels above.
+  if (levels_->united.size() + 1 >= most_unions)
+    throw InputError("region", "more than a million polygons would have to be united", "ask for a larger tolerance");
   GridSet all;
   for (const auto& level : levels_->united) {
     if (level) Levels::add_to(all, *level);

@@ -12,8 +12,8 @@ namespace taut::internal {
 /// Collects polygons, and unites those that came one after the other first: of what a moving body covers, most is
 /// inside of what it has covered just before.
 ///
-/// Vertices are rounded to the nearest points of the grid, and so is where edges cross; edges pass within one and a
-/// half grid units of where they were.
+/// Vertices are rounded to the nearest points of the grid, and so is where edges cross, at each union that an edge goes
+/// through: it moves by at most one and a half grid units each time.
 class RegionUnion {
  public:
   /// The grid is a power of two; coordinates are less than 2^largest_bits of it.
@@ -21,12 +21,17 @@ class RegionUnion {
   ~RegionUnion();
 
   static constexpr int largest_bits = 28;
+  /// No polygon goes through more unions. Four times 2^18 polygons, a million, are united in so many.
+  static constexpr int most_unions = 20;
+  /// No edge moves farther.
+  static constexpr double most_moved_in_grids = 1.5 * most_unions + 1;
   double largest() const;
 
   /// A polygon whose vertices run counterclockwise.
   void add(const Polygon& polygon);
   void add(const Part& part);
-  /// The union. No rings meet, not even at points. Nothing may be added afterwards.
+  /// The union. No rings meet, not even at points. Nothing may be added afterwards. Throws InputError if there were too
+  /// many polygons.
   std::vector<Part> parts();
 
  private:

@@ -25,15 +25,16 @@ using namespace internal;
 namespace {
 
 // How the tolerance is divided. A region reaches beyond what is covered by at most
-//   overreach + sqrt(2) (bend + room) + 2 grids < (7/16 + 1.42 (3/16 + 4/64) + 2/64) tolerance < 0.83 tolerance,
+//   overreach + sqrt(2) (bend + room) + what unions move < (7/16 + 1.42 (3/16 + 32/512) + 31/512) tolerance
+//                                                        < 0.86 tolerance,
 // and by an eighth more where polygons stand for curves.
 constexpr double share_of_bend = 3.0 / 16;
 constexpr double share_of_overreach = 7.0 / 16;
 constexpr double share_of_curves = 1.0 / 8;
-constexpr double share_of_grid = 1.0 / 64;
-/// In grid units: what rounding to the grid, and of crossings, may take away on either side, and joints.
-constexpr double room_in_grids = 4, lost_at_joints_in_grids = 1;
-/// What a thousandth is a share of, by default.
+constexpr double share_of_grid = 1.0 / 512;
+/// In grid units: what unions may move edges by, and joints take away.
+constexpr double room_in_grids = RegionUnion::most_moved_in_grids + 1, lost_at_joints_in_grids = 1;
+/// The tolerance, if none is given, as a share of the diagonal of the body's box.
 constexpr double default_share = 1e-3;
 /// Halving time so often ends where a body turns with infinite speed, too: half as many bits of the way are left.
 constexpr int deepest_halving_of_way = 200;
@@ -232,7 +233,7 @@ class Sweep {
     return leaves(a) && leaves(b);
   }
 
-  /// Adds what the edges that `visit` wants pass over. False, and nothing is added, if hulls would reach too far
+  /// Adds what the edges pass over that are `wanted`. False, and nothing is added, if hulls would reach too far
   /// beyond.
   template <class Wanted>
   bool add_boundary(const Placed& at, const Placed& then, double bend, const Wanted& wanted) {
@@ -284,7 +285,7 @@ class Sweep {
   static void require(bool decided, double t) {
     if (decided) return;
     throw InputError(
-        "swept", "doubles do not decide where the body is to a part of the tolerance, near t = " + std::to_string(t),
+        "swept", "doubles do not show where the body is, to a fifth of the tolerance, near t = " + std::to_string(t),
         "ask for a larger tolerance, or choose coordinates nearer to the origin");
   }
 
