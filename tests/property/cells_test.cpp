@@ -90,23 +90,6 @@ void add_touched(const BodyAtPose& body, CellSet& all) {
   }
 }
 
-/// A body that turns, on another one, or both.
-MadeWorld random_way(Rng& rng) {
-  MadeWorld world;
-  world.end = 2;
-  const int links = rng.between(1, 2);
-  for (int k = 0; k < links; ++k) {
-    MadeBody body;
-    body.name = "link" + std::to_string(k);
-    body.parts = {star_part(rng, {rng.real(-0.3, 0.3), 0}, rng.real(0.2, 1), rng.chance(0.3) ? 0.6 : 0)};
-    if (rng.chance(0.3)) body.parts.push_back(star_part(rng, {1.5, 0.5}, 0.4, 0));
-    body.keyframes = random_keyframes(rng, 2, 3, {});
-    body.parent = k - 1;
-    world.bodies.push_back(body);
-  }
-  return world;
-}
-
 TEST(Cells, AsTenThousandPosesSay) {
   std::size_t listed = 0;
   for (std::uint64_t seed = 0; seed < effort(10); ++seed) {

@@ -17,23 +17,6 @@
 namespace taut::testing {
 namespace {
 
-/// A body that turns, perhaps on another one.
-MadeWorld made_way(Rng& rng) {
-  MadeWorld world;
-  world.end = 2;
-  const int links = rng.between(1, 2);
-  for (int k = 0; k < links; ++k) {
-    MadeBody body;
-    body.name = "link" + std::to_string(k);
-    body.parts = {star_part(rng, {rng.real(-0.3, 0.3), 0}, rng.real(0.2, 1), rng.chance(0.3) ? 0.6 : 0)};
-    if (rng.chance(0.3)) body.parts.push_back(star_part(rng, {1.5, 0.5}, 0.4, 0));
-    body.keyframes = random_keyframes(rng, 2, 3, {});
-    body.parent = k - 1;
-    world.bodies.push_back(body);
-  }
-  return world;
-}
-
 bool inside_ring(const Polygon& ring, const Complex& p) {
   bool inside = false;
   for (std::size_t k = 0; k < ring.size(); ++k) {
@@ -99,7 +82,7 @@ TEST(Swept, AsThousandsOfPosesSay) {
   for (std::uint64_t seed = 0; seed < effort(60); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Rng rng(seed);
-    const MadeWorld world = made_way(rng);
+    const MadeWorld world = random_way(rng);
     const int body = static_cast<int>(world.bodies.size()) - 1;
     SweptOptions options;
     options.tolerance = std::ldexp(rng.real(1, 2), -rng.between(4, 10));
@@ -154,7 +137,7 @@ TEST(Swept, CertainlyHoldsTheBody) {
   for (std::uint64_t seed = 0; seed < effort(40); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Rng rng(seed);
-    const MadeWorld world = made_way(rng);
+    const MadeWorld world = random_way(rng);
     const int body = static_cast<int>(world.bodies.size()) - 1;
     Scene scene = scene_of(world);
     SweptOptions options;

@@ -290,6 +290,22 @@ MadeBody random_body(Rng& rng, const Point& at, const std::string& name, double 
 
 }  // namespace
 
+MadeWorld random_way(Rng& rng) {
+  MadeWorld world;
+  world.end = 2;
+  const int links = rng.between(1, 2);
+  for (int k = 0; k < links; ++k) {
+    MadeBody body;
+    body.name = "link" + std::to_string(k);
+    body.parts = {star_part(rng, {rng.real(-0.3, 0.3), 0}, rng.real(0.2, 1), rng.chance(0.3) ? 0.6 : 0)};
+    if (rng.chance(0.3)) body.parts.push_back(star_part(rng, {1.5, 0.5}, 0.4, 0));
+    body.keyframes = random_keyframes(rng, 2, 3, {});
+    body.parent = k - 1;
+    world.bodies.push_back(body);
+  }
+  return world;
+}
+
 MadeWorld random_world(std::uint64_t seed) {
   Rng rng(seed);
   MadeWorld world;

@@ -66,6 +66,8 @@ double sixteenths(Rng& rng, double lo, double hi);
 /// A star around the centre, of at most that radius; with a hole where `hole` is its share of the radius.
 Part star_part(Rng& rng, const Point& centre, double radius, double hole);
 std::vector<Keyframe> random_keyframes(Rng& rng, double end, double reach, const Point& at);
+/// A body that turns, or one that turns on another one; the last one is meant.
+MadeWorld random_way(Rng& rng);
 /// 2 to 12 bodies in cells of 4 by 4; some have another one in a hole.
 MadeWorld random_world(std::uint64_t seed);
 
