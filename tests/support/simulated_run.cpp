@@ -223,7 +223,10 @@ class SimulatedRun {
       }
       // Bodies that moved alike and overlapped were no pair, until one of them moved in another way.
       const bool parted = simulation_.state() == SimulationState::overlap_at_start;
-      if (answer.outcome == Outcome::overlap_at_start && !parted) return "the record has an overlap at its start";
+      // New motions are rounded. An overlap below 2^-150 of all bodies' size counts as touching, and scenes of the
+      // record differ in size.
+      const bool rounded = answer.outcome == Outcome::overlap_at_start && !answer.overlap_point;
+      if (answer.outcome == Outcome::overlap_at_start && !parted && !rounded) return "the record has an overlap at its start";
     }
     return until == simulation_.time() ? "" : "the record ends before the present";
   }
