@@ -298,6 +298,11 @@ expect 0 '<g class="rose".*<path class="free"' '' separate --svg - hit.json
 expect 0 '"outcome":"free"' '' separate --json --svg rose.svg hit.json
 grep -q 'class="rose"' rose.svg || { echo "FAILED: no rose in the picture"; failures=$((failures + 1)); }
 expect 1 'overlap: anvil x hammer' '' separate --svg - overlap.json
+expect 0 '"ways":\[\{"body":"hammer"' '' separate --turns --json hit.json
+expect 0 '^FREE  anvil x hammer' '' separate --turns hit.json -o leaving.json
+expect 0 '^FREE  anvil x hammer' '' check leaving.json
+expect 2 '' 'add --turns' separate hit.json -o leaving.json
+expect 2 '' 'as far as they have to' separate --turns --travel 3 hit.json
 expect 0 'class="free".*' '' range --from 1 --svg - hit.json
 expect 0 '>8: anvil x hammer<' '' range --from 1 --svg - hit.json
 expect 0 '>the start<' '' range --from 1 --svg - hit.json

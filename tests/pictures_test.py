@@ -36,6 +36,7 @@ COMMANDS = {
     "questions/margin.svg": "check --clearance 0.03 examples/gears.json --svg",
     "questions/range.svg": "range examples/lid.json --from 50 --svg",
     "questions/separate.svg": "separate examples/worlds/puzzle.json --svg",
+    "questions/separate_turns.svg": "separate --turns examples/worlds/bent_bar.json --svg",
     "questions/swept.svg": "swept examples/mechanisms/crank_rocker.json --body coupler -o",
 }
 # Made by ./dev planners, which needs OMPL.

@@ -71,6 +71,28 @@ def test_directions():
     assert overlap.outcome == "overlap_at_start" and overlap.pair == ("slot", "same")
 
 
+def test_ways_with_turns(taut):
+    path = root / "examples/worlds/bent_bar.json"
+    scene = taut2d.Scene.load(path)
+    assert taut2d.separate(scene).stuck == ("block", "bar")
+    found = taut2d.separate(scene, turns=True)
+    assert found.outcome == "free" and found.stuck == found.unsure == () and found.rounded == 0
+    assert [way.body for way in found.ways] == ["plug", "bar"]
+    assert found.ways[1].points[0] == taut2d.WayPoint(0, 0, 0) and found.ways[1].points[-1].deg != 0
+    assert found.scene is not None and taut2d.check(found.scene).outcome == "free"
+    assert "bodies leave in the order plug, bar" in str(found)
+    # The command prints the same, without the scene.
+    answer = json.loads(found.json)
+    del answer["scene"]
+    assert answer == json.loads(printed(taut, "separate", "--turns", "--json", path))
+    caught = taut2d.Scene.load(root / "examples/jigsaw_caught.json")
+    locked = taut2d.separate(caught, turns=True)
+    assert locked.outcome == "locked" and locked.stuck == ("socket", "knob") and 0 < locked.rounded < 1e-12
+    assert taut2d.separate(caught, turns=True, max_cells=10).unsure == ("socket", "knob")
+    with pytest.raises(taut2d.InputError):
+        taut2d.separate(scene, turns=True, travel=1)
+
+
 @pytest.mark.parametrize("path", SCENES[::7], ids=lambda p: p.stem)
 def test_directions_are_those_of_the_command(path, taut):
     assert taut2d.separate(taut2d.Scene.load(path)).json == printed(taut, "separate", "--json", path)

@@ -2,6 +2,7 @@
 #include "ask/question.hpp"
 
 #include "io/answer_writer.hpp"
+#include "taut/io.hpp"
 #include "taut/separate.hpp"
 
 namespace taut::internal {
@@ -50,6 +51,34 @@ void write_removal(AnswerWriter& json, const Separation& answer) {
       write_arc(json, step.free);
     });
   });
+}
+
+/// The members about ways with turns; without the bodies that are stuck, which are a member of straight ways, too.
+void write_ways(AnswerWriter& json, const Separation& answer) {
+  json.key("ways").array(answer.ways, [&](const RemovalWay& way) {
+    json.object([&] {
+      json.member("body", json.body(way.body).name);
+      json.member("pivot", {way.pivot.x, way.pivot.y});
+      json.key("points").array(way.points, [&](const WayPoint& at) {
+        json.object([&] {
+          json.member("x", at.x);
+          json.member("y", at.y);
+          json.member("deg", at.deg);
+        });
+      });
+    });
+  });
+  json.key("unsure").array(answer.unsure, [&](BodyId id) { json.name(id); });
+  json.member("rounded", answer.rounded);
+}
+
+/// Strings in JSON have no line breaks.
+std::string on_one_line(std::string json) {
+  std::erase(json, '\n');
+  return json;
+}
+
+void write_stuck(AnswerWriter& json, const Separation& answer) {
   json.key("stuck").array(answer.stuck, [&](BodyId id) { json.name(id); });
 }
 
@@ -59,7 +88,8 @@ void write_removal(AnswerWriter& json, const Separation& answer) {
 namespace taut {
 using namespace internal;
 
-std::string separation_json(const Scene& scene, const Separation& answer) {
+std::string separation_json(const Scene& scene, const Separation& answer, const SeparateOptions& options,
+                            bool removal) {
   return answer_text(scene, [&](AnswerWriter& json) {
     json.verdict(to_string(answer.outcome));
     json.reason(answer.reason);
@@ -70,6 +100,9 @@ std::string separation_json(const Scene& scene, const Separation& answer) {
     } else {
       write_removal(json, answer);
     }
+    if (options.turns || scene.bodies.size() != 2) write_stuck(json, answer);
+    if (options.turns) write_ways(json, answer);
+    if (options.turns && removal) json.key("scene").raw(on_one_line(write_scene(removal_scene(scene, answer))));
     json.grounds(answer.geometry, answer.coverage);
   });
 }
@@ -83,7 +116,11 @@ Reply ask_separate(const Scene& scene, const GivenOptions& given) {
   SeparateOptions options;
   options.limits = given.limits();
   options.travel = given.number("travel");
-  return {separation_json(scene, separate(scene, options))};
+  options.turns = given.flag("turns");
+  options.tolerance = given.number("tolerance");
+  options.max_cells = given.whole_number("max_cells");
+  const Separation answer = separate(scene, options);
+  return {separation_json(scene, answer, options, given.flag("scene"))};
 }
 
 }  // namespace
@@ -94,7 +131,12 @@ std::vector<QuestionEntry> separate_questions() {
            "SeparationAnswer",
            {number_option("travel", SeparateOptions{}.travel,
                           "How far bodies move, in the scene's units, > 0; without it, any distance."),
-            max_seconds_option()},
+            flag_option("turns", "Also whether bodies come apart if the one that is taken away may turn on its way."),
+            number_option("tolerance", SeparateOptions{}.tolerance,
+                          "With turns: places and angles are divided down to this share of their ranges."),
+            whole_option("max_cells", 1, UINT32_MAX, SeparateOptions{}.max_cells,
+                         "With turns: a body is left undecided at so many cells."),
+            flag_option("scene", "With turns: the scene in which the bodies leave, too."), max_seconds_option()},
            ask_separate}};
 }
 

@@ -6,6 +6,7 @@
 
 #include "query/bracket.hpp"
 #include "query/curved_questions.hpp"
+#include "query/separate_straight.hpp"
 
 namespace taut::internal {
 namespace {
@@ -34,7 +35,7 @@ class CurvedSeparation {
   Separation ask(CurveSide side) const {
     SeparateOptions options = options_;
     options.limits = run_.limits_left();
-    Separation answer = separate(run_.world().polygons(side), options);
+    Separation answer = separate_straight(run_.world().polygons(side), options);
     answer.geometry = run_.geometry();
     return answer;
   }

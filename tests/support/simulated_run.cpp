@@ -226,7 +226,8 @@ class SimulatedRun {
       // New motions are rounded. An overlap below 2^-150 of all bodies' size counts as touching, and scenes of the
       // record differ in size.
       const bool rounded = answer.outcome == Outcome::overlap_at_start && !answer.overlap_point;
-      if (answer.outcome == Outcome::overlap_at_start && !parted && !rounded) return "the record has an overlap at its start";
+      if (answer.outcome == Outcome::overlap_at_start && !parted && !rounded)
+        return "the record has an overlap at its start";
     }
     return until == simulation_.time() ? "" : "the record ends before the present";
   }

@@ -437,18 +437,39 @@ export interface RemovalStep {
   direction_deg: number;
   within: DirectionArc;
 }
+/** A point p of the body, where it stands at the start, is at R (p - pivot) + pivot + (x, y), R the turn by `deg`. */
+export interface WayPoint {
+  x: number;
+  y: number;
+  deg: number;
+}
+/** One body taken away along a way on which it may turn; between two points, all three numbers change evenly. */
+export interface RemovalWay {
+  body: string;
+  pivot: Point;
+  points: WayPoint[];
+}
 interface AnySeparation extends Omit<Verdict, "outcome"> {
   outcome: "free" | "locked" | "overlap_at_start" | "undecided" | "untested";
   /** Bodies that overlap at the start. */
   pair?: Pair;
   /** Why ends are enclosed less narrowly than to 1e-7 degrees. */
   wide?: string;
+  /** With `turns`: in which order bodies leave along which ways, all proved free. */
+  ways?: RemovalWay[];
+  /** With `turns`: bodies that are left, and of which it is not known whether there is a way. */
+  unsure?: string[];
+  /** With `turns`: boundaries lie within this of those meant; 0 if bodies are drawn where they stand. */
+  rounded?: number;
+  /** With `turns` and `scene`: the bodies as they leave. */
+  scene?: Scene;
 }
 /** In which directions the second body leaves the first one. */
 export interface SeparationOfTwo extends AnySeparation, FreeDirections {
   bodies?: undefined;
   order?: undefined;
-  stuck?: undefined;
+  /** With `turns`: bodies that no way leads out, of any shape. */
+  stuck?: string[];
 }
 export interface SeparationOfMany extends AnySeparation {
   body?: undefined;
@@ -457,6 +478,7 @@ export interface SeparationOfMany extends AnySeparation {
   bodies: FreeDirections[];
   /** In which they come apart, one after the other. */
   order: RemovalStep[];
+  /** Bodies that are left; with `turns`, those that no way leads out, of any shape. */
   stuck: string[];
 }
 export type SeparationAnswer = SeparationOfTwo | SeparationOfMany;

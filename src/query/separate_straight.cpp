@@ -1,4 +1,5 @@
-#include "taut/separate.hpp"
+// In which directions bodies come apart if they are moved straight.
+#include "query/separate_straight.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -137,7 +138,7 @@ class SeparationSearch {
       for (std::size_t i = 0; i < left_.size() && !taken; ++i) {
         const BodyDirections can = directions(left_[i]);
         if (can.free.empty()) continue;
-        answer.order.push_back(step_of(can));
+        answer.order.push_back(widest_removal(can));
         left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(i));
         taken = true;
       }
@@ -145,20 +146,6 @@ class SeparationSearch {
       answer.stuck.assign(left_.begin(), left_.end());
       return;
     }
-  }
-
-  /// The removal along its widest arc.
-  static RemovalStep step_of(const BodyDirections& can) {
-    const auto width = [](const DirectionArc& arc) {
-      if (arc.point) return 0.0;
-      const double w = arc.to.lo - arc.from.hi;
-      return w > 0 ? w : w + 360;
-    };
-    const DirectionArc& widest =
-        *std::max_element(can.free.begin(), can.free.end(),
-                          [&](const DirectionArc& a, const DirectionArc& b) { return width(a) < width(b); });
-    const double middle = can.all ? 0 : widest.from.hi + width(widest) / 2;
-    return {can.body, widest, middle >= 360 ? middle - 360 : middle};
   }
 
   Instance instance_;
@@ -169,8 +156,24 @@ class SeparationSearch {
 };
 
 }  // namespace
+}  // namespace taut
 
-Separation separate(const Scene& scene, const SeparateOptions& options) {
+namespace taut::internal {
+
+RemovalStep widest_removal(const BodyDirections& can) {
+  const auto width = [](const DirectionArc& arc) {
+    if (arc.point) return 0.0;
+    const double w = arc.to.lo - arc.from.hi;
+    return w > 0 ? w : w + 360;
+  };
+  const DirectionArc& widest =
+      *std::max_element(can.free.begin(), can.free.end(),
+                        [&](const DirectionArc& a, const DirectionArc& b) { return width(a) < width(b); });
+  const double middle = can.all ? 0 : widest.from.hi + width(widest) / 2;
+  return {can.body, widest, middle >= 360 ? middle - 360 : middle};
+}
+
+Separation separate_straight(const Scene& scene, const SeparateOptions& options) {
   if (!(options.travel > 0))
     throw InputError("travel", "bodies move farther than nothing", "give a length > 0, or none for any distance");
   if (has_curves(scene)) return separate_curves(scene, options);
@@ -187,4 +190,4 @@ Separation separate(const Scene& scene, const SeparateOptions& options) {
   return answer;
 }
 
-}  // namespace taut
+}  // namespace taut::internal
