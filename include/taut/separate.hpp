@@ -105,7 +105,8 @@ struct Separation {
 
 /// How to ask.
 struct SeparateOptions {
-  /// How far bodies move, in the scene's units; > 0. Infinite: any distance.
+  /// How far bodies move straight, in the scene's units; > 0. Infinite: any distance. Ways with turns go as far as they
+  /// have to.
   double travel = std::numeric_limits<double>::infinity();
   /// Ask, too, whether bodies come apart if the one that is taken away may turn on its way. Not for bodies with curves.
   bool turns = false;

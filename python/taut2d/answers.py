@@ -336,6 +336,16 @@ def _answer_members(text: str) -> dict[str, Any]:
     }
 
 
+def _log_of(proof: Any, kinds: Any) -> bytes:
+    """Of a proof of one of these kinds, the bytes of a log, or the path of a file."""
+    if isinstance(proof, kinds):
+        return bytes(proof.log)
+    if isinstance(proof, (bytes, bytearray, memoryview)):
+        return bytes(proof)
+    with open(proof, "rb") as file:
+        return file.read()
+
+
 def verified_from_json(text: str) -> Verified:
     """What the library says of a log."""
     object = json.loads(text)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from typing import Optional, Union
 
-from .answers import Answer, Proof, Verified, answer_from_json, verified_from_json
+from .answers import Answer, Proof, Verified, _log_of, answer_from_json, verified_from_json
 from .margins import MarginProof
 from .options import ask, asked_scene, scene_text
 from .scene import Scene, _plain_places
@@ -66,13 +66,7 @@ def verify(scene: Scene, proof: Union[Proof, MarginProof, bytes, str, os.PathLik
     its outcome says what is proved. Raises InputError if the scene is not valid, OSError if the file cannot be read,
     KeyboardInterrupt on Ctrl-C; a log that proves nothing is no exception.
     """
-    if isinstance(proof, (Proof, MarginProof)):
-        log = proof.log
-    elif isinstance(proof, (bytes, bytearray, memoryview)):
-        log = bytes(proof)
-    else:
-        with open(proof, "rb") as file:
-            log = file.read()
+    log = _log_of(proof, (Proof, MarginProof))
     with _plain_places():
         found, _, _ = ask("verify", asked_scene(scene), log=log, max_seconds=max_seconds)
         return verified_from_json(found)

@@ -10,15 +10,15 @@ from typing import Any, Optional, Union
 
 from . import _taut2d
 from ._numbers import number, point
-from ._verdict import Verdict, bodies_text, names
-from .answers import Coverage, _pair
+from ._verdict import Undivided, Verdict, bodies_text, names
+from .answers import Coverage, _log_of, _pair
 from .errors import InputError
 from .linkages import EnvelopeCell, Linkage, _cells_from
 from .options import ask
 from .scene import Scene, _plain_places, _scene_text
 from .words import PathOutcome, Touch
 
-__all__ = ["PathAnswer", "PathProblem", "TightPlace", "path"]
+__all__ = ["PathAnswer", "PathProblem", "PathProof", "TightPlace", "VerifiedPath", "path", "prove_path", "verify_path"]
 
 
 @dataclass(frozen=True)
@@ -137,6 +137,48 @@ class PathAnswer(Verdict):
         return self.reason or "", f"{names(self.tight.pair)} about {at}"
 
 
+@dataclass(frozen=True)
+class PathProof(Undivided):
+    """An answer with a log that proves it, which verify_path() and the program taut-verify check.
+
+    ``answer``: as path() gives it. ``log``: the proof that there is no way; empty otherwise: a way is proved by
+    prove(problem.scene(answer.waypoints)). ``scene_sha256``: names the problem that it is about."""
+
+    answer: PathAnswer
+    log: bytes = field(repr=False)
+    scene_sha256: str
+
+    _instead = 'proof.answer.outcome == "none", or verify_path(problem, proof)'
+
+    def save(self, path: Union[str, os.PathLike[str]]) -> None:
+        """Writes the log into a file, for ``taut verify``. Raises ValueError if there is none."""
+        if not self.log:
+            raise ValueError(f"there is no proof: the answer is {self.answer.outcome}")
+        with open(path, "wb") as file:
+            file.write(self.log)
+
+
+@dataclass(frozen=True)
+class VerifiedPath:
+    """What a log proves about ways. It is true, as bool() has it, if the log is valid.
+
+    ``valid``: True: no way leads from the start to the goal. False: it proves nothing, for the ``reason`` given. None: the
+    time was up. ``clearance``: None, or the distance that no way keeps. ``cells``, ``colliding``, ``reached``: of the partition
+    of all joint values: how many there are, how many were shown to collide, and how many of the others a chain leads to from
+    the start. ``scene_sha256``: names the problem."""
+
+    valid: Optional[bool]
+    reason: Optional[str] = None
+    clearance: Optional[float] = None
+    cells: Optional[int] = None
+    colliding: Optional[int] = None
+    reached: Optional[int] = None
+    scene_sha256: Optional[str] = None
+
+    def __bool__(self) -> bool:
+        return self.valid is True
+
+
 def _tight_from(value: Any) -> Optional[TightPlace]:
     if value is None:
         return None
@@ -165,11 +207,38 @@ def path(problem: PathProblem, *, touch: Touch = "open", clearance: float = 0.0,
     the boxes. Raises InputError for a problem that makes no sense, and where the start, or a goal that is one combination,
     collides.
     """
+    with _plain_places():
+        answer, _, _ = ask("path", _problem_text(problem), touch=touch, clearance=clearance, tolerance=tolerance,
+                           max_cells=max_cells, cells=cells, max_seconds=max_seconds)
+        return _path_from_json(answer)
+
+
+def _problem_text(problem: PathProblem) -> _taut2d.SceneText:
     if not isinstance(problem, PathProblem):
         raise InputError("problem", f"expected a PathProblem, found {type(problem).__name__}",
                          "PathProblem.load(path) reads a file, and PathProblem(linkage, start, goal) makes one")
+    return _scene_text(problem.to_json(), "scene", problem.linkage.folder)
+
+
+def prove_path(problem: PathProblem, *, touch: Touch = "open", clearance: float = 0.0, tolerance: float = 1e-4,
+               max_cells: int = 4_000_000, max_seconds: Optional[float] = None) -> PathProof:
+    """As path(), with a log that proves it where there is no way, in memory. Where only translations are left, cells decide
+    here too, and what they leave open is "undecided". Bodies with layers are refused. Options and errors are those of
+    path()."""
     with _plain_places():
-        text = _scene_text(problem.to_json(), "scene", problem.linkage.folder)
-        answer, _, _ = ask("path", text, touch=touch, clearance=clearance, tolerance=tolerance, max_cells=max_cells,
-                           cells=cells, max_seconds=max_seconds)
-        return _path_from_json(answer)
+        answer, log, name = ask("prove_path", _problem_text(problem), touch=touch, clearance=clearance, tolerance=tolerance,
+                                max_cells=max_cells, max_seconds=max_seconds)
+        return PathProof(_path_from_json(answer), log, name)
+
+
+def verify_path(problem: PathProblem, proof: Union[PathProof, bytes, str, os.PathLike[str]], *,
+                max_seconds: Optional[float] = None) -> VerifiedPath:
+    """Whether a log proves that there is no way, by a verifier that contains nothing of the search.
+
+    ``proof``: what prove_path() gave, or the bytes of a log, or the path of a file. Raises InputError if the problem is not
+    valid, OSError if the file cannot be read; a log that proves nothing is no exception."""
+    with _plain_places():
+        found, _, _ = ask("verify_path", _problem_text(problem), log=_log_of(proof, PathProof), max_seconds=max_seconds)
+    value = json.loads(found)
+    value.pop("outcome", None)
+    return VerifiedPath(**value)

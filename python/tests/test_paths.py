@@ -1,6 +1,7 @@
 """Ways and proofs that there are none: the command's bytes, errors, scenes of ways."""
 
 import pathlib
+import json
 import subprocess
 
 import pytest
@@ -49,6 +50,38 @@ def test_equals_the_command(taut, tmp_path, name, code):
     again = tmp_path / "again.json"
     problem.save(again)
     assert taut2d.PathProblem.load(again) == problem == taut2d.PathProblem.from_json(problem.to_json())
+
+
+def test_proofs(taut, tmp_path):
+    path = examples / "piano_long.json"
+    problem = taut2d.PathProblem.load(path)
+    proof = taut2d.prove_path(problem)
+    assert proof.answer.outcome == "none"
+    verified = taut2d.verify_path(problem, proof)
+    assert verified and verified.scene_sha256 == proof.scene_sha256
+    assert 0 < verified.colliding < verified.cells and 0 < verified.reached < verified.cells
+    # The command takes the log, and writes the same one.
+    saved = tmp_path / "piano.proof"
+    proof.save(saved)
+    printed = subprocess.run([taut, "verify", "--json", path, saved], capture_output=True, text=True)
+    assert printed.returncode == 0 and json.loads(printed.stdout)["cells"] == verified.cells
+    written = tmp_path / "written.proof"
+    subprocess.run([taut, "prove", path, "-o", written], capture_output=True)
+    assert written.read_bytes() == proof.log
+    assert taut2d.verify_path(problem, saved) == taut2d.verify_path(problem, proof.log) == verified
+    # Of another problem, or damaged, it proves nothing.
+    other = taut2d.PathProblem(problem.linkage, {**problem.start, "x": problem.start["x"] + 0.001}, problem.goal, problem.periodic)
+    assert taut2d.verify_path(other, proof).valid is False
+    assert not taut2d.verify_path(problem, proof.log[:-1]) and taut2d.verify_path(problem, b"").reason
+    assert taut2d.verify_path(problem, proof, max_seconds=0).valid is None
+    with pytest.raises(TypeError):
+        bool(proof)
+    way = taut2d.prove_path(taut2d.PathProblem.load(examples / "piano.json"))
+    assert way.answer.outcome == "path" and way.log == b""
+    with pytest.raises(ValueError):
+        way.save(saved)
+    with pytest.raises(taut2d.InputError):
+        taut2d.prove_path(problem.linkage)
 
 
 def test_errors():

@@ -90,7 +90,7 @@ def test_ways_with_turns(taut):
     assert locked.outcome == "locked" and locked.stuck == ("socket", "knob") and 0 < locked.rounded < 1e-12
     assert taut2d.separate(caught, turns=True, max_cells=10).unsure == ("socket", "knob")
     with pytest.raises(taut2d.InputError):
-        taut2d.separate(scene, turns=True, travel=1)
+        taut2d.separate(scene, turns=True, tolerance=0)
 
 
 @pytest.mark.parametrize("path", SCENES[::7], ids=lambda p: p.stem)

@@ -1,8 +1,11 @@
-// The question about ways as text: path.
+// The questions about ways as text: path, prove_path and verify_path.
+#include <sstream>
+
 #include "ask/question.hpp"
 
 #include "io/answer_writer.hpp"
 #include "taut/path.hpp"
+#include "taut/path_proof.hpp"
 
 namespace taut::internal {
 namespace {
@@ -73,32 +76,64 @@ std::string path_json(const PathProblem& problem, const PathAnswer& answer, cons
 namespace taut::internal {
 namespace {
 
-Reply ask_path(const PathProblem& problem, const GivenOptions& given) {
+/// Without `cells`, which not all of these take.
+PathOptions path_options(const GivenOptions& given) {
   PathOptions options;
   options.touch = given.touch();
   options.clearance = given.number("clearance");
   options.tolerance = given.number("tolerance");
   options.max_cells = given.whole_number("max_cells");
   options.limits = given.limits();
+  return options;
+}
+
+Reply ask_path(const PathProblem& problem, const GivenOptions& given) {
+  const PathOptions options = path_options(given);
   return {path_json(problem, find_path(problem, options), options, given.flag("cells"))};
+}
+
+Reply ask_path_proof(const PathProblem& problem, const GivenOptions& given) {
+  const PathOptions options = path_options(given);
+  std::ostringstream log;
+  const PathAnswer answer = prove_path(problem, log, options);
+  return {path_json(problem, answer, options), answer.outcome == PathOutcome::none ? log.str() : std::string(),
+          to_hex(path_fingerprint(problem))};
+}
+
+Reply ask_verify_path(const PathProblem& problem, const GivenOptions& given) {
+  return verified([&](std::istream& log) { return verified_path_json(problem, verify_path(problem, log)); }, given);
 }
 
 }  // namespace
 
 std::vector<QuestionEntry> path_questions() {
   const PathOptions defaults;
-  return {
-      {.name = "path",
-       .meaning = "A way from the start to the goal on which nothing collides, or the proof that there is none.",
-       .answer = "PathAnswer",
-       .options = {touch_option(),
-                   number_option("clearance", 0, "The distance that bodies keep all of the way; 0: touching decides."),
-                   number_option("tolerance", defaults.tolerance,
-                                 "Cells shorter than this share of a joint's range are not divided any more."),
-                   whole_option("max_cells", 1, UINT32_MAX, defaults.max_cells,
-                                "Undecided when there are so many cells."),
-                   flag_option("cells", "The partition of all joint values, too."), max_seconds_option()},
-       .about_problem = ask_path}};
+  const std::vector<OptionEntry> common{
+      touch_option(),
+      number_option("clearance", 0, "The distance that bodies keep all of the way; 0: touching decides."),
+      number_option("tolerance", defaults.tolerance,
+                    "Cells shorter than this share of a joint's range are not divided any more."),
+      whole_option("max_cells", 1, UINT32_MAX, defaults.max_cells, "Undecided when there are so many cells."),
+      max_seconds_option()};
+  std::vector<OptionEntry> with_cells = common;
+  with_cells.insert(with_cells.end() - 1, flag_option("cells", "The partition of all joint values, too."));
+  return {{.name = "path",
+           .meaning = "A way from the start to the goal on which nothing collides, or the proof that there is none.",
+           .answer = "PathAnswer",
+           .options = with_cells,
+           .about_problem = ask_path},
+          {.name = "prove_path",
+           .meaning = "As path, with a proof where there is none; a way is proved as a scene.",
+           .answer = "PathAnswer",
+           .options = common,
+           .about_problem = ask_path_proof,
+           .log = QuestionLog::written},
+          {.name = "verify_path",
+           .meaning = "Checks a proof that there is no way, whoever made it.",
+           .answer = "VerifiedPath",
+           .options = {max_seconds_option()},
+           .about_problem = ask_verify_path,
+           .log = QuestionLog::read}};
 }
 
 }  // namespace taut::internal

@@ -36,18 +36,22 @@ Reply ask_proof_of_margin(const Scene& scene, const GivenOptions& given) {
 }
 
 Reply ask_verify(const Scene& scene, const GivenOptions& given) {
+  return verified([&](std::istream& log) { return verified_json(scene, verify(scene, log)); }, given);
+}
+
+}  // namespace
+
+Reply verified(const std::function<std::string(std::istream&)>& check, const GivenOptions& given) {
   try {
     const Budget scope(given.limits());
-    std::istringstream stream(given.log());
-    return {verified_json(scene, verify(scene, stream))};
+    std::istringstream log(given.log());
+    return {check(log)};
   } catch (const ProofError& error) {
     return {unverified_json(true, error.what())};
   } catch (const Interrupted& limit) {
     return {unverified_json(false, limit.reason)};
   }
 }
-
-}  // namespace
 
 std::vector<QuestionEntry> proof_questions() {
   return {{.name = "prove",

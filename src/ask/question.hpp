@@ -6,6 +6,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <iosfwd>
 #include <string>
 #include <vector>
 
@@ -108,6 +110,9 @@ class GivenOptions {
   io::JsonDocument document_;
   io::JsonObject object_;
 };
+
+/// What `check` returns about the question's log; or why the log proves nothing.
+Reply verified(const std::function<std::string(std::istream&)>& check, const GivenOptions& given);
 
 /// The questions of a file each, in the order of the documentation.
 std::vector<QuestionEntry> contact_questions();

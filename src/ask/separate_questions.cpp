@@ -130,7 +130,7 @@ std::vector<QuestionEntry> separate_questions() {
            "In which directions bodies come apart, and in which order.",
            "SeparationAnswer",
            {number_option("travel", SeparateOptions{}.travel,
-                          "How far bodies move, in the scene's units, > 0; without it, any distance."),
+                          "How far bodies move straight, in the scene's units, > 0; without it, any distance."),
             flag_option("turns", "Also whether bodies come apart if the one that is taken away may turn on its way."),
             number_option("tolerance", SeparateOptions{}.tolerance,
                           "With turns: places and angles are divided down to this share of their ranges."),

@@ -17,8 +17,6 @@ using namespace internal::path;
 namespace {
 
 void validate_turns(const Scene& scene, const SeparateOptions& options) {
-  if (std::isfinite(options.travel))
-    throw InputError("travel", "bodies that turn go as far as they have to", "leave out the travel, or the turns");
   if (!(options.tolerance >= 1e-9 && options.tolerance <= 1))
     throw InputError("tolerance", "it is not between 1e-9 and 1", "it is a share of what places and angles range over");
   for (const Body& body : scene.bodies) {
@@ -109,7 +107,7 @@ Separation separate(const Scene& scene, const SeparateOptions& options) {
   if (!options.turns) return separate_straight(scene, options);
   validate_turns(scene, options);
   const Budget scope(options.limits);
-  Separation answer = separate_straight(scene, {});
+  Separation answer = separate_straight(scene, options);
   const bool asked = answer.outcome == SeparationOutcome::free || answer.outcome == SeparationOutcome::locked;
   if (asked) take_apart(standing_scene(scene), options, scope, answer);
   return answer;

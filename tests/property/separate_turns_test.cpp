@@ -198,6 +198,9 @@ TEST(SeparateTurns, ABarThatTurnsOutOfItsChannel) {
   ASSERT_EQ(answer.ways.size(), 2u);
   EXPECT_EQ(answer.ways[0].body, 2);
   EXPECT_NE(answer.ways[1].points.back().deg, 0);
+  SeparateOptions near = with_turns(100'000);
+  near.travel = 1e-3;
+  EXPECT_EQ(separate(scene, near).ways.size(), 2u) << "ways go as far as they have to";
   expect_proved_ways(scene, answer);
   // With the plug fixed to the block, nothing moves.
   Scene closed = scene;
@@ -252,9 +255,6 @@ TEST(SeparateTurns, IgnoredBodiesAndOtherLayersBlockNothing) {
 TEST(SeparateTurns, ErrorsSayWhatToDo) {
   Scene scene = read_scene("examples/worlds/bent_bar.json");
   SeparateOptions options = with_turns();
-  options.travel = 3;
-  EXPECT_THROW(separate(scene, options), InputError);
-  options = with_turns();
   options.tolerance = 0;
   EXPECT_THROW(separate(scene, options), InputError);
   options = with_turns();

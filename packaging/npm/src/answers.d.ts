@@ -296,6 +296,19 @@ export interface InvalidProof {
   reason: string;
 }
 export type Verified = ValidProof | InvalidProof;
+/** That no way leads from the start to the goal. */
+export interface ValidPathProof {
+  valid: true;
+  outcome: "none";
+  /** Ways that keep this distance are meant. */
+  clearance?: number;
+  /** Of the partition of all joint values: all, those shown to collide, and those that the start reaches. */
+  cells: number;
+  colliding: number;
+  reached: number;
+  scene_sha256: string;
+}
+export type VerifiedPath = ValidPathProof | InvalidProof;
 
 /** A distance in [lo, hi], and where it is: not where the bodies touch. */
 export interface Nearest {
