@@ -1,7 +1,11 @@
 // The question: is there any way?
 #include "path/find_path.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "numeric/budget.hpp"
 #include "path/path_search.hpp"
@@ -33,12 +37,54 @@ std::string collision_text(const PathProblem& problem, const PathOptions& option
                                            : " collide");
 }
 
+/// All of {-1, 0, 1}^joints, those that move few joints first.
+std::vector<JointValues> sides_of(std::size_t joints) {
+  std::vector<JointValues> sides(1);
+  for (std::size_t k = 0; k < joints; ++k) {
+    const std::size_t n = sides.size();
+    for (const double by : {-1.0, 1.0}) {
+      for (std::size_t i = 0; i < n; ++i) {
+        sides.push_back(sides[i]);
+        sides.back()[k] = by;
+      }
+    }
+  }
+  const auto kept = [](const JointValues& side) { return std::count(side.begin(), side.end(), 0.0); };
+  std::stable_sort(sides.begin(), sides.end(),
+                   [&](const JointValues& a, const JointValues& b) { return kept(a) > kept(b); });
+  return sides;
+}
+
+/// Values of the joints a little away, at which certainly nothing collides, if there are some: on all sides, ever
+/// farther, up to a sixteenth of the ranges.
+std::optional<JointValues> free_nearby(const PathProblem& problem, const JointSpace& space, const JointValues& values) {
+  const std::vector<Joint>& joints = problem.linkage.joints;
+  const std::vector<JointValues> sides = sides_of(joints.size());
+  for (int exponent = -24; exponent <= -4; ++exponent) {
+    for (const JointValues& side : sides) {
+      JointValues near = values;
+      for (std::size_t k = 0; k < joints.size(); ++k) {
+        const Joint& joint = joints[k];
+        near[k] = std::clamp(values[k] + side[k] * std::ldexp(joint.hi - joint.lo, exponent), joint.lo, joint.hi);
+      }
+      if (space.is_free(near)) return near;
+    }
+  }
+  return std::nullopt;
+}
+
 /// Throws InputError where bodies collide at what the problem states; nothing if the engines do not decide that.
-void require_free(const PathProblem& problem, const PathOptions& options, const WayChecker& checker,
-                  const JointValues& values, const char* where) {
+void require_free(const PathProblem& problem, const PathOptions& options, const JointSpace& space,
+                  const WayChecker& checker, const JointValues& values, const char* where) {
   const std::optional<StillCollision> found = checker.collision_at(values);
   if (!found || found->undecided || !found->pair) return;
-  throw InputError(where, collision_text(problem, options, *found), "give joint values at which no bodies collide");
+  std::string hint = "give joint values at which no bodies collide";
+  if (const auto near = free_nearby(problem, space, values)) {
+    hint += "; near these, none do at ";
+    for (std::size_t k = 0; k < problem.linkage.joints.size(); ++k)
+      hint += fmt::format("{}{} = {:.9g}", k ? ", " : "", problem.linkage.joints[k].name, (*near)[k]);
+  }
+  throw InputError(where, collision_text(problem, options, *found), hint);
 }
 
 void search(const PathProblem& problem, const PathOptions& options, const OnNone& on_none, PathAnswer& answer) {
@@ -55,8 +101,8 @@ void search(const PathProblem& problem, const PathOptions& options, const OnNone
                          " overlap, and no joint moves them against each other",
                      "ignore the pair, or write \"at_rest\": \"skip\"");
   const WayChecker checker(problem, space, options);
-  require_free(problem, options, checker, problem.start, "start");
-  if (const auto goal = Goal(problem, space).only()) require_free(problem, options, checker, *goal, "goal");
+  require_free(problem, options, space, checker, problem.start, "start");
+  if (const auto goal = Goal(problem, space).only()) require_free(problem, options, space, checker, *goal, "goal");
   if (decide_translation(problem, options, space, checker, answer)) {
     if (!on_none || answer.outcome != PathOutcome::none) return;
     // The same again by cells.

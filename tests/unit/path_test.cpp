@@ -175,6 +175,17 @@ TEST(Path, StartsAndGoalsThatCollide) {
   EXPECT_NE(message(problem, Touch::closed).find("start: \"mover\" and \"walls\" collide or touch"), std::string::npos);
   problem.start = {0.25, 2};
   EXPECT_NE(message(problem, Touch::open).find("start: \"mover\" and \"walls\" collide"), std::string::npos);
+  // A place nearby: 1/4 farther there is room, and the steps to it double.
+  const std::string near = message(problem, Touch::open);
+  const std::size_t place = near.find("none do at x = ");
+  ASSERT_NE(place, std::string::npos) << near;
+  const double x = std::stod(near.substr(place + 15));
+  EXPECT_GT(x, 0.5);
+  EXPECT_LE(x, 0.75 + 0x1p-10);
+  EXPECT_NE(near.find("y = 2", place), std::string::npos);
+  // Nothing is free near the middle of a thick wall.
+  problem.start = {4, 3};
+  EXPECT_EQ(message(problem, Touch::open).find("none do at"), std::string::npos);
   problem.start = {9, 2};
   EXPECT_NE(message(problem, Touch::open).find("start.x: it is not within"), std::string::npos);
 }
