@@ -25,6 +25,7 @@ COMMANDS = {
     "geneva_moving.svg": "draw examples/worlds/geneva.json --animate --plain --width 600 -o",
     "lid_moving.svg": "draw examples/lid.json --animate --width 400 -o",
     "loader_envelope.svg": "envelope examples/linkages/loader.json --svg",
+    "paths/reach.svg": "path examples/paths/reach.json --map",
     "parking_distance.svg": "clearance examples/parking.json --profile 181 --svg",
     "parking_moving.svg": "draw examples/parking_clips.json --animate --width 600 -o",
     "paths/bracket_moving.svg": "path examples/paths/bracket.json --svg",

@@ -18,7 +18,7 @@ struct PathArguments {
   AskedScene scene;
   PathOptions options;
   bool json = false, cells = false;
-  std::string output, svg;
+  std::string output, svg, map;
 };
 
 /// The way as a picture that moves; without one, the bodies at the start.
@@ -45,8 +45,9 @@ int run_path(const PathArguments& arguments) {
   if (!arguments.output.empty() && answer.outcome == PathOutcome::path)
     write_output(arguments.output, write_scene(path_scene(problem, answer.waypoints)));
   if (!arguments.svg.empty()) write_output(arguments.svg, picture(problem, answer));
+  if (!arguments.map.empty()) write_output(arguments.map, path_svg(problem, answer));
   // What goes to standard output is one thing.
-  if (arguments.output != "-" && arguments.svg != "-")
+  if (arguments.output != "-" && arguments.svg != "-" && arguments.map != "-")
     print_text(arguments.json ? path_json(problem, answer, options, arguments.cells) + "\n"
                               : path_in_words(problem, answer));
   return exit_code(answer.outcome, arguments.scene.allow_untested);
@@ -73,6 +74,10 @@ void add_path(const Command& app, Action& action) {
                   "write the way to FILE, as a scene with time (- is standard output)")
       .value("FILE");
   command.add_option("--svg", arguments->svg, "draw the way to FILE, as a picture that moves (- is standard output)")
+      .value("FILE");
+  command
+      .add_option("--map", arguments->map,
+                  "draw the values of one or two joints to FILE: what is free, what collides, and the way")
       .value("FILE");
   command.add_flag("--json", arguments->json, "print one JSON object");
   command.add_flag("--cells", arguments->cells, "with --json: the partition of all joint values, too");

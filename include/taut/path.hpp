@@ -95,5 +95,8 @@ Scene path_scene(const PathProblem& problem, const std::vector<JointValues>& way
 /// The answer of find_path() as `taut path --json` prints it; `cells`: with the whole partition.
 std::string path_json(const PathProblem& problem, const PathAnswer& answer, const PathOptions& options,
                       bool cells = false);
+/// All combinations of one or two joints as an SVG picture: the cells as the search left them, the start, and the way,
+/// or where it was too tight. Throws InputError if there are more joints.
+std::string path_svg(const PathProblem& problem, const PathAnswer& answer, int width = 720);
 
 }  // namespace taut

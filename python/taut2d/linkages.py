@@ -135,21 +135,27 @@ class Envelope(Verdict):
         figure. Raises InputError without cells, or for another number of joints."""
         if not self.cells or len(self.cells[0].lo) != 2:
             raise InputError("cells", "there is no partition of two joints to draw", "ask envelope(..., cells=True)")
-        axes = _new_axes(ax)
-        from matplotlib.collections import PolyCollection
-
-        for state, colour in (("free", "#bfe3c6"), ("colliding", "#d98a80"), ("undecided", "#4a4a4a")):
-            boxes = [[(c.lo[0], c.lo[1]), (c.hi[0], c.lo[1]), (c.hi[0], c.hi[1]), (c.lo[0], c.hi[1])]
-                     for c in self.cells if c.state == state]
-            axes.add_collection(PolyCollection(boxes, facecolors=colour, edgecolors=colour, linewidths=0.3, label=state))
-        axes.autoscale_view()
         first, second = (joint["name"] for joint in json.loads(self.json)["joints"])
-        axes.set_xlabel(first)
-        axes.set_ylabel(second)
+        axes = _plot_cells(self.cells, first, second, "#4a4a4a", ax)
         if self.witness is not None:
             axes.plot([self.witness.values[first]], [self.witness.values[second]], "o", color="#7d130a",
                       markerfacecolor="white", label="witness")
         return axes
+
+
+def _plot_cells(cells: Sequence[EnvelopeCell], first: str, second: str, undecided: str, ax: Any) -> Any:
+    """Into axes, which are returned."""
+    axes = _new_axes(ax)
+    from matplotlib.collections import PolyCollection
+
+    for state, colour in (("free", "#bfe3c6"), ("colliding", "#d98a80"), ("undecided", undecided)):
+        boxes = [[(c.lo[0], c.lo[1]), (c.hi[0], c.lo[1]), (c.hi[0], c.hi[1]), (c.lo[0], c.hi[1])]
+                 for c in cells if c.state == state]
+        axes.add_collection(PolyCollection(boxes, facecolors=colour, edgecolors=colour, linewidths=0.3, label=state))
+    axes.autoscale_view()
+    axes.set_xlabel(first)
+    axes.set_ylabel(second)
+    return axes
 
 
 def _cells_from(value: Any) -> tuple[EnvelopeCell, ...]:

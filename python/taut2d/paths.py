@@ -13,7 +13,7 @@ from ._numbers import number, point
 from ._verdict import Undivided, Verdict, bodies_text, names
 from .answers import Coverage, _log_of, _pair
 from .errors import InputError
-from .linkages import EnvelopeCell, Linkage, _cells_from
+from .linkages import EnvelopeCell, Linkage, _cells_from, _plot_cells
 from .options import ask
 from .scene import Scene, _plain_places, _scene_text
 from .words import PathOutcome, Touch
@@ -121,8 +121,20 @@ class PathAnswer(Verdict):
     reason: Optional[str]
     coverage: Coverage
     json: str = field(repr=False, compare=False)
+    joints: tuple[str, ...] = field(default=(), repr=False, compare=False)
 
     _instead = 'answer.outcome == "path"'
+
+    def plot(self, ax: Any = None) -> Any:
+        """Draws the cells of two joints by matplotlib, as the search left them, and the way; returns the axes. ``ax``: axes to
+        draw into; None makes a new figure. Raises InputError without cells, or for another number of joints."""
+        if not self.cells or len(self.cells[0].lo) != 2:
+            raise InputError("cells", "there is no partition of two joints to draw", "ask path(..., cells=True)")
+        axes = _plot_cells(self.cells, *self.joints, "#e4e4e4", ax)
+        if self.waypoints:
+            first, second = self.joints
+            axes.plot([at[first] for at in self.waypoints], [at[second] for at in self.waypoints], color="#1f4e9c", label="way")
+        return axes
 
     def _words(self) -> tuple[str, str]:
         if self.outcome == "path":
@@ -186,11 +198,11 @@ def _tight_from(value: Any) -> Optional[TightPlace]:
                       _pair(value["pair"]))
 
 
-def _path_from_json(text: str) -> PathAnswer:
+def _path_from_json(text: str, problem: PathProblem) -> PathAnswer:
     value = json.loads(text)
     waypoints = tuple({k: float(v) for k, v in at.items()} for at in value.get("waypoints", ()))
     return PathAnswer(value["outcome"], waypoints, _tight_from(value.get("tight")), value["exact"], float(value["tolerance"]),
-                      value["cell_count"], _cells_from(value), value.get("reason"), Coverage(**value["coverage"]), text)
+                      value["cell_count"], _cells_from(value), value.get("reason"), Coverage(**value["coverage"]), text, tuple(problem.linkage.joints))
 
 
 def path(problem: PathProblem, *, touch: Touch = "open", clearance: float = 0.0, tolerance: float = 1e-4,
@@ -210,7 +222,7 @@ def path(problem: PathProblem, *, touch: Touch = "open", clearance: float = 0.0,
     with _plain_places():
         answer, _, _ = ask("path", _problem_text(problem), touch=touch, clearance=clearance, tolerance=tolerance,
                            max_cells=max_cells, cells=cells, max_seconds=max_seconds)
-        return _path_from_json(answer)
+        return _path_from_json(answer, problem)
 
 
 def _problem_text(problem: PathProblem) -> _taut2d.SceneText:
@@ -228,7 +240,7 @@ def prove_path(problem: PathProblem, *, touch: Touch = "open", clearance: float 
     with _plain_places():
         answer, log, name = ask("prove_path", _problem_text(problem), touch=touch, clearance=clearance, tolerance=tolerance,
                                 max_cells=max_cells, max_seconds=max_seconds)
-        return PathProof(_path_from_json(answer), log, name)
+        return PathProof(_path_from_json(answer, problem), log, name)
 
 
 def verify_path(problem: PathProblem, proof: Union[PathProof, bytes, str, os.PathLike[str]], *,

@@ -84,6 +84,20 @@ def test_proofs(taut, tmp_path):
         taut2d.prove_path(problem.linkage)
 
 
+def test_plot():
+    pytest.importorskip("matplotlib").use("Agg")
+    reach = taut2d.PathProblem.load(examples / "reach.json")
+    axes = taut2d.path(reach, cells=True).plot()
+    assert (axes.get_xlabel(), axes.get_ylabel()) == ("shoulder", "elbow") and len(axes.collections) == 3 and not axes.lines
+    near = taut2d.PathProblem(reach.linkage, reach.start, {"shoulder": (0, 10)})
+    answer = taut2d.path(near, cells=True)
+    (way,) = answer.plot().lines
+    assert list(way.get_xdata()) == [at["shoulder"] for at in answer.waypoints]
+    for without in (taut2d.path(reach), taut2d.path(taut2d.PathProblem.load(examples / "piano.json"), cells=True)):
+        with pytest.raises(taut2d.InputError):
+            without.plot()
+
+
 def test_errors():
     problem = door(1.2)
     for change in (dict(goal="inside"), dict(goal={"x": "far"}), dict(start={"x": "near"}), dict(start=[1]), dict(linkage=3)):

@@ -189,10 +189,9 @@ struct PathExample {
   PathOutcome outcome;
 };
 const PathExample path_examples[] = {
-    {"paths/arm.json", PathOutcome::path},
-    {"paths/bracket.json", PathOutcome::path},
-    {"paths/piano.json", PathOutcome::path},
-    {"paths/piano_long.json", PathOutcome::none},
+    {"paths/arm.json", PathOutcome::path},   {"paths/bracket.json", PathOutcome::path},
+    {"paths/piano.json", PathOutcome::path}, {"paths/piano_long.json", PathOutcome::none},
+    {"paths/reach.json", PathOutcome::none},
 };
 
 TEST(ExamplePaths, HaveTheStatedOutcomes) {

@@ -190,6 +190,32 @@ TEST(Path, StartsAndGoalsThatCollide) {
   EXPECT_NE(message(problem, Touch::open).find("start.x: it is not within"), std::string::npos);
 }
 
+/// The picture shows what the answer says: cells, start, goal, and a way that leaves one side and comes in at the
+/// other.
+TEST(Path, MapsOfTwoJoints) {
+  const PathProblem reach = read_path_problem("examples/paths/reach.json");
+  const std::string none = path_svg(reach, find_path(reach));
+  for (const char* part : {"Way: none", "class=\"colliding\"", "class=\"start\"", "class=\"goal\"", ">shoulder<"})
+    EXPECT_NE(none.find(part), std::string::npos) << part;
+  EXPECT_EQ(none.find("class=\"way\""), std::string::npos);
+  PathProblem around = slot(2.25);
+  around.linkage.motions[0] = freely(std::nullopt, 1, 0);
+  around.linkage.joints[0] = {"turn", 0, 360};
+  around.linkage.scene.bodies[0].polygon = rectangle(1.5, 1.5, 2.5, 2.5);
+  around.linkage.motions[0]->kind = FreeMotion{std::nullopt, 1, 0, {2, 2}};
+  around.periodic[0] = true;
+  around.start = {10, 0};
+  around.goal = {};
+  around.goal[0] = {350, 350};
+  around.linkage.joints[1] = {"y", -1, 1};
+  const PathAnswer answer = find_path(around);
+  ASSERT_EQ(answer.outcome, PathOutcome::path);
+  const std::string way = path_svg(around, answer);
+  EXPECT_NE(way.find("class=\"way\""), std::string::npos);
+  EXPECT_NE(way.find("clip-path=\"url(#frame)\""), std::string::npos);
+  EXPECT_THROW(path_svg(slot(2.25, true), {}), InputError);
+}
+
 TEST(Path, ProblemsThatMakeNoSense) {
   PathProblem problem = slot(2.25, true);
   problem.periodic[0] = true;
