@@ -130,9 +130,9 @@ class PathAnswer(Verdict):
         draw into; None makes a new figure. Raises InputError without cells, or for another number of joints."""
         if not self.cells or len(self.cells[0].lo) != 2:
             raise InputError("cells", "there is no partition of two joints to draw", "ask path(..., cells=True)")
-        axes = _plot_cells(self.cells, *self.joints, "#e4e4e4", ax)
+        first, second = self.joints
+        axes = _plot_cells(self.cells, first, second, "#e4e4e4", ax)
         if self.waypoints:
-            first, second = self.joints
             axes.plot([at[first] for at in self.waypoints], [at[second] for at in self.waypoints], color="#1f4e9c", label="way")
         return axes
 
