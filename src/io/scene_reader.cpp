@@ -230,7 +230,7 @@ class SceneReader {
     const std::string shape = R"("parts": [polygon, polygon, ...], each as "polygon" is written)";
     document_.require(*parts, JsonKind::array, object.path("parts"), shape);
     read_part_list(*parts, object.path("parts"), body);
-    if (body.parts.empty() && body.curves.empty())
+    if (body.parts.empty() && body.curves.empty() && body.polygon.empty())
       throw document_.error(*parts, object.path("parts"), "there are no parts", "write " + shape);
   }
 

@@ -160,11 +160,13 @@ TEST(CurvedCheck, ScenesKeepTheirPaths) {
   const char* const text = R"({"format":"taut-scene/1","time":[0,10],"bodies":[
     {"name":"a","polygon":{"path":"M1 0 A1 1 0 0 1 -1 0 A1 1 0 0 1 1 0 Z"}},
     {"name":"b","parts":[{"path":"M3 0 C 5 0 5 4 3 4 Z"},[[6,0],[7,0],[7,1]]],"motion":{"x":[0,-1]}},
-    {"name":"c","polygon":{"path":"m0 50 h1 v1 z"}}]})";
+    {"name":"c","polygon":{"path":"m0 50 h1 v1 z"}},
+    {"name":"d","parts":[{"path":"m0 70 h1 v1 z"}]}]})";
   const Scene scene = parse_scene(text, "text");
   EXPECT_EQ(scene.bodies[0].curves.size(), 1u);
   EXPECT_EQ(scene.bodies[1].curves.size(), 2u) << "a polygon among curves is one of lines";
   EXPECT_EQ(scene.bodies[2].polygon.size(), 3u) << "lines only are a polygon";
+  EXPECT_EQ(scene.bodies[3].polygon.size(), 3u) << "also as the only part";
   const Scene again = parse_scene(write_scene(scene), "again");
   EXPECT_EQ(write_scene(again), write_scene(scene));
   EXPECT_EQ(answer_json(again, check(again), Touch::open), answer_json(scene, check(scene), Touch::open));
