@@ -57,8 +57,8 @@ class Taut:
         with open(self.path(name), encoding="utf-8") as file:
             return json.load(file)
 
-    def run(self, *arguments, codes=(0, 1, 3)):
-        """What a subcommand prints to standard output. Exit codes that are not in `codes` are errors."""
+    def run(self, *arguments, codes=(0, 1, 3), prints=True):
+        """What a subcommand prints to standard output. Other exit codes than `codes`, and silence, are errors."""
         options = {"creationflags": 0x08000000} if os.name == "nt" else {}  # no window of a console
         try:
             done = subprocess.run([self.command, *arguments], cwd=self.folder, stdin=subprocess.DEVNULL,
@@ -66,7 +66,7 @@ class Taut:
         except OSError as error:
             raise TautError("%s cannot be started: %s" % (self.command, error)) from error
         printed = done.stdout.decode("utf-8", "replace")
-        if done.returncode not in codes or not printed:
+        if done.returncode not in codes or (prints and not printed):
             said = done.stderr.decode("utf-8", "replace").strip()
             raise TautError(said or "%s ended with exit code %d" % (self.command, done.returncode))
         return printed
@@ -87,6 +87,10 @@ class Taut:
             wide = answer["outcome"] == "free" and self._ask(scene, clearance + 2 * deviation)["outcome"] == "free"
             answer["shapes"] = {"deviation": deviation, "free": wide}
         return answer
+
+    def draw(self, t, picture):
+        """A picture (SVG) of the scene that was asked about last, at the time t."""
+        self.run("draw", self.path("scene.json"), "--at", repr(t), "-o", picture, prints=False)
 
     def _ask(self, scene, clearance):
         words = ["check", "--json", "--allow-untested", "--max-seconds", repr(self.seconds)]
@@ -190,7 +194,7 @@ def answer_in_words(answer, motion, unit, clearance=0):
         lines.append("They touch without overlap, first after %s." % motion.in_words(answer["touching"]["t"][0]))
     if "touching_undecided" in answer:
         lines.append("Whether they touch was not decided: %s." % answer["touching_undecided"])
-    if "geometry" in answer:
+    if "geometry" in answer and "shapes" not in answer:
         lines.append("This is about the curves themselves, not about chords.")
     if "shapes" in answer:
         lines.append(shapes_in_words(answer, unit))
