@@ -593,10 +593,12 @@ expect 0 '"tested":1,.*"pairs":\[\{"bodies":\["a","b"\],"outcome":"free"\}\]' ''
 expect 2 '' 'world\.json: bodies: a separator needs two bodies, each one polygon' separator world.json
 expect 1 'closer than 0.5 at t = ' '' check --clearance 0.5 hit.json
 expect 1 '"outcome":"contact","clearance":0.5,"t":' '' check --json --clearance 0.5 hit.json
-expect 2 '' 'clearance: it is not a positive number' check --clearance 0 hit.json
+expect 2 '' "clearance: '0' is not more than 0" check --clearance 0 hit.json
+expect 2 '' 'clearance: it is not a positive number' check --clearance inf hit.json
 expect 1 '"fit":0.001}' '' check --json --fit 0.001 hit.json
 expect 2 '' 'for a fit of 100' check --fit 100 hit.json
-expect 2 '' 'one scene at a time' check --clearance 1 hit.json free.json
+expect 1 'closer than 1 at t = \[5.99' '' check --clearance 1 free.json hit.json
+expect 2 '' 'it draws one scene' check --clearance 1 --svg - hit.json free.json
 expect 0 'proof in kept.proof' '' prove --clearance 0.001 -o kept.proof free.json
 expect 0 'all keep 0.001 on' '' verify free.json kept.proof --expect free --clearance 0.001
 expect 1 'NOT AS EXPECTED: .*clearance 0.002' '' verify free.json kept.proof --expect free --clearance 0.002

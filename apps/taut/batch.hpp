@@ -5,6 +5,8 @@
 #include <optional>
 #include <string>
 
+#include "junit_report.hpp"
+
 namespace taut::cli {
 
 /// A scene to be read: a file, or a text that came from somewhere.
@@ -17,6 +19,7 @@ struct BatchTask {
 struct BatchResult {
   std::string out, err;  ///< for standard output and standard error
   int code = 0;
+  JunitCase test;  ///< for a report, if one was asked for
 };
 
 /// Takes tasks from `next` until there are none, works on them in `threads` threads, and hands the results to `emit` in

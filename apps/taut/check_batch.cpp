@@ -14,13 +14,16 @@
 #include "batch.hpp"
 #include "commands.hpp"
 #include "interrupt.hpp"
+#include "io/answer_json.hpp"
 #include "io/json_text.hpp"
 #include "io/platform.hpp"
 #include "io/terminal_text.hpp"
 #include "io/text_file.hpp"
+#include "margin_report.hpp"
 #include "progress.hpp"
 #include "report.hpp"
 #include "scene_argument.hpp"
+#include "taut/clearance.hpp"
 #include "taut/error.hpp"
 #include "taut/io.hpp"
 
@@ -83,6 +86,25 @@ class Tasks {
   std::uint64_t line_ = 0;
 };
 
+/// An answer as it is printed, and in words for a report.
+struct Answered {
+  Outcome outcome;
+  std::string json, words;
+};
+
+Answered answer_about(const Scene& scene, const CheckBatch& batch) {
+  const bool worded = !batch.json || !batch.junit.empty();
+  const Touch touch = batch.options.touch;
+  if (batch.clearance > 0) {
+    const MarginAnswer answer = check_clearance(scene, batch.clearance, batch.options);
+    return {answer.outcome, batch.json ? margin_json(scene, batch.clearance, answer, touch) : "",
+            worded ? margin_in_words(scene, batch.clearance, answer) : ""};
+  }
+  const Answer answer = check(scene, batch.options);
+  return {answer.outcome, batch.json ? answer_json(scene, answer, touch) : "",
+          worded ? report(scene, answer, touch) : ""};
+}
+
 /// `shown` is `what` for a terminal.
 BatchResult failure(const BatchTask& task, int code, const std::string& what, const std::string& shown, bool json) {
   BatchResult result;
@@ -91,31 +113,34 @@ BatchResult failure(const BatchTask& task, int code, const std::string& what, co
   // A line for every scene: programs may count on it.
   if (json)
     result.out = fmt::format("{{\"scene\":{},\"error\":{}}}\n", io::string_text(task.place), io::string_text(what));
+  result.test = junit_error(task.place, code == exit_internal ? "internal" : "bad_input", what, 0);
   return result;
 }
 
 BatchResult answer(const BatchTask& task, const CheckBatch& batch) {
+  const auto start = std::chrono::steady_clock::now();
   try {
     ReadLimits limits;
     limits.allow_outside = batch.allow_outside;
     Scene scene = task.text ? parse_scene(*task.text, task.place, io::folder_of(task.place), limits)
                             : load_scene(batch.source_of(task.place));
     if (batch.at_rest) scene.at_rest = *batch.at_rest;
-    Answer answer;
+    Answered answered;
     try {
-      answer = check(scene, batch.options);
+      answered = answer_about(scene, batch);
     } catch (const InputError& error) {
       throw error.within(task.place);
     }
     BatchResult result;
-    result.code = exit_code(answer.outcome, batch.allow_untested);
+    result.code = exit_code(answered.outcome, batch.allow_untested);
     if (batch.json) {
-      const std::string object = answer_json(scene, answer, batch.options.touch);
-      result.out = fmt::format("{{\"scene\":{},{}\n", io::string_text(task.place), object.substr(1));
+      result.out = fmt::format("{{\"scene\":{},{}\n", io::string_text(task.place), answered.json.substr(1));
     } else {
-      result.out = fmt::format("{}\n{}", io::line_for_terminal(task.place),
-                               io::for_terminal(report(scene, answer, batch.options.touch)));
+      result.out = fmt::format("{}\n{}", io::line_for_terminal(task.place), io::for_terminal(answered.words));
     }
+    if (!batch.junit.empty())
+      result.test =
+          junit_case(task.place, answered.outcome, batch.allow_untested, answered.words, seconds_since(start));
     return result;
   } catch (const InputError& error) {
     return failure(task, exit_bad_input, error.what(), io::for_terminal(error), batch.json);
@@ -204,9 +229,32 @@ Shard shard_of(const std::string& text) {
   return shard;
 }
 
-int check_batch(const CheckBatch& batch) {
+namespace {
+
+void require_answerable(const CheckBatch& batch) {
   if (!batch.resume.empty() && !batch.json)
     throw InputError("--resume", "answers are taken up line by line, and a report has several", "add --json");
+  if (!batch.resume.empty() && batch.clearance > 0)
+    throw InputError("--resume", "answers about a clearance are not taken up", "leave out --resume or --clearance");
+  if (!batch.resume.empty() && !batch.junit.empty())
+    throw InputError("--junit", "answers that are taken up are in no report", "leave out --resume or --junit");
+  if (batch.junit == "-") throw InputError("--junit", "standard output has the answers", "name a file for the report");
+}
+
+/// The report, unless the run was stopped: it would lack scenes.
+void write_junit(const CheckBatch& batch, const JunitReport& junit, bool stopped) {
+  if (batch.junit.empty()) return;
+  if (stopped) {
+    fmt::print(stderr, "taut: {}\n", not_written("JUnit report", batch.junit));
+  } else {
+    write_file(batch.junit, junit.text());
+  }
+}
+
+}  // namespace
+
+int check_batch(const CheckBatch& batch) {
+  require_answerable(batch);
   CheckBatch shared = batch;
   shared.options.limits.stop = stop_on_signals();
   const std::atomic<bool>& stop = *shared.options.limits.stop;
@@ -216,6 +264,7 @@ int check_batch(const CheckBatch& batch) {
   Output output(batch);
   WorstCode worst;
   output.take_up(tasks, worst);
+  JunitReport junit(batch.clearance > 0 ? fmt::format("taut check --clearance {}", batch.clearance) : "taut check");
   std::uint64_t scenes = 0;
   // Answers that scroll by say as much.
   std::optional<ProgressLine> progress;
@@ -226,9 +275,11 @@ int check_batch(const CheckBatch& batch) {
         if (output.write(result, stop)) ++scenes;
         if (progress) progress->meter().set("scenes", scenes, batch.lines ? 0 : batch.paths.size());
         worst.note(result.code);
+        if (!batch.junit.empty()) junit.add(result.test);
       });
   progress.reset();
   output.expect_written();
+  write_junit(batch, junit, stop);
   if (stop) {
     fmt::print(stderr, "taut: stopped; {}\n",
                batch.resume.empty()
@@ -237,7 +288,7 @@ int check_batch(const CheckBatch& batch) {
     worst.note(exit_undecided);
   }
   if (batch.timing) {
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const double seconds = seconds_since(start);
     fmt::print(stderr, "{} scenes in {}, {:.0f} a second, {} thread{}\n", scenes, seconds_text(seconds),
                static_cast<double>(scenes) / seconds, threads, threads == 1 ? "" : "s");
   }

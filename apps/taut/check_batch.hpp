@@ -27,7 +27,9 @@ struct CheckBatch {
   bool lines = false;    ///< each file holds a scene on every line
   unsigned threads = 0;  ///< 0: as many as the machine has
   Shard shard;
-  std::string resume;  ///< a file that answers are appended to, and are taken up from; empty: standard output
+  std::string resume;    ///< a file that answers are appended to, and are taken up from; empty: standard output
+  std::string junit;     ///< a file for a JUnit report; empty: none
+  double clearance = 0;  ///< the distance that is asked about; 0: none
   CheckOptions options;
   bool json = false, timing = false;
   bool time_tolerance = false;  ///< was it given?

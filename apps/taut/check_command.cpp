@@ -39,10 +39,6 @@ CheckArguments single(const CheckBatch& batch) {
           batch.time_tolerance};
 }
 
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
 /// All that is needed to see a disagreement again. On standard error, and whole: the scene may have come from a pipe.
 void print_disagreement(const Scene& scene, Touch touch, const EngineDisagreement& error) {
   fmt::print(stderr, "taut: {}\nkinetic:   {}\nspacetime: {}\nscene:\n{}\n", error.what(),
@@ -100,14 +96,12 @@ int run_margin(const CheckArguments& arguments) {
   return exit_code(answer.outcome, arguments.scene.allow_untested);
 }
 
-int margin_of(const CheckBatch& batch, double clearance, const std::string& svg) {
-  if (batch.paths.size() != 1 || batch.lines || batch.shard.count > 1 || !batch.resume.empty())
-    throw InputError("--clearance", "it is asked about one scene at a time",
-                     "leave out --lines, --shard, --resume and the other scenes");
+/// Answers of one scene are not introduced by its name, and may have a picture.
+int check_one(const CheckBatch& batch, const std::string& svg) {
   CheckArguments arguments = single(batch);
-  arguments.clearance = clearance;
+  arguments.clearance = batch.clearance;
   arguments.svg = svg;
-  return run_margin(arguments);
+  return batch.clearance > 0 ? run_margin(arguments) : run_check(arguments);
 }
 
 /// For scenes by the thousands. The share of them that is asked about.
@@ -123,6 +117,8 @@ std::shared_ptr<std::string> add_batch(const Command& command, CheckBatch& argum
       .add_option("--resume", arguments.resume,
                   "append the answers to a file, and leave out the scenes that it has answers to")
       .value("FILE");
+  command.add_option("--junit", arguments.junit, "write a JUnit report for CI servers, a test case for each scene")
+      .value("FILE");
   return shard;
 }
 
@@ -133,6 +129,8 @@ const char* const check_footer =
     "  taut check --json --lines scenes.jsonl     one scene on each line\n"
     "  taut check --json --lines scenes.jsonl --shard 3/8 --resume answers-3.jsonl\n"
     "                                             one run of eight, which may be killed, and goes on where it was\n"
+    "  taut check --clearance 0.3 --junit report.xml a.json b.json\n"
+    "                                             for CI: do all keep this distance?\n"
     "\n"
     "A scene is a JSON file:\n"
     "  {\"format\":\"taut-scene/1\",\"time\":[0,10],\"bodies\":[\n"
@@ -172,23 +170,26 @@ void add_check(const Command& app, Action& action) {
                       "how precisely to find the time of a contact of curves, as a share of the scene's time (1e-9);\n"
                       "times of polygons are as exact as doubles, whatever it is")
           .value("X");
-  const auto clearance = std::make_shared<std::optional<double>>();
-  const Option margin =
-      command
-          .add_option("--clearance", *clearance, "ask whether bodies keep at least this distance, in the scene's units")
-          .value("C");
+  const Option margin = command
+                            .add_option("--clearance", arguments->clearance,
+                                        "ask whether bodies keep at least this distance, in the scene's units")
+                            .value("C")
+                            .positive();
   const auto svg = std::make_shared<std::string>();
   command.add_option("--svg", *svg, "with --clearance, draw the bodies where they first come closer to FILE")
       .value("FILE")
       .needs(margin);
   command.footer(check_footer);
-  command.on_chosen([&action, arguments, clearance, shard, svg, time_tolerance] {
+  command.on_chosen([&action, arguments, shard, svg, time_tolerance] {
     arguments->time_tolerance = time_tolerance.given();
-    action = [arguments, clearance, shard, svg] {
+    action = [arguments, shard, svg] {
       if (!shard->empty()) arguments->shard = shard_of(*shard);
-      if (*clearance) return margin_of(*arguments, **clearance, *svg);
-      const bool one = arguments->paths.size() == 1 && !arguments->lines && shard->empty() && arguments->resume.empty();
-      return one ? run_check(single(*arguments)) : check_batch(*arguments);
+      const bool one = arguments->paths.size() == 1 && !arguments->lines && shard->empty() &&
+                       arguments->resume.empty() && arguments->junit.empty();
+      if (one) return check_one(*arguments, *svg);
+      if (!svg->empty())
+        throw InputError("--svg", "it draws one scene", "leave out --lines, --shard, --junit and the other scenes");
+      return check_batch(*arguments);
     };
   });
 }

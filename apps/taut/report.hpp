@@ -1,6 +1,7 @@
 // An answer in words.
 #pragma once
 
+#include <chrono>
 #include <string>
 
 #include "taut/check.hpp"
@@ -18,6 +19,7 @@ std::string lock_text(const Scene& scene);
 /// What an answer is about: the pairs, and where a mechanism locks. Reports have it after their first line.
 std::string grounds_text(const Scene& scene, const Coverage& coverage);
 
+double seconds_since(std::chrono::steady_clock::time_point start);
 /// 0.0031 as "3.1 ms".
 std::string seconds_text(double seconds);
 

@@ -65,29 +65,36 @@ std::string outline_path(const std::vector<Point>& pixels) {
   return s + "Z";
 }
 
-/// What the eye would not see, and a terminal might obey, is written so that it is seen.
+/// What the eye would not see, and a terminal might obey, is written so that it is seen; so are the two characters
+/// besides that XML does not have.
 std::string escape_xml(const std::string& raw) {
   const std::string text = for_terminal(raw);
   std::string s;
-  for (char c : text) {
-    switch (c) {
-      case '<':
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t begin = at;
+    const char32_t character = *next_character(text, at);
+    switch (character) {
+      case U'<':
         s += "&lt;";
         break;
-      case '>':
+      case U'>':
         s += "&gt;";
         break;
-      case '&':
+      case U'&':
         s += "&amp;";
         break;
-      case '"':
+      case U'"':
         s += "&quot;";
         break;
-      case '\'':
+      case U'\'':
         s += "&#39;";
         break;
+      case 0xFFFE:
+      case 0xFFFF:
+        s += character == 0xFFFE ? "\\ufffe" : "\\uffff";
+        break;
       default:
-        s += c;
+        s.append(text, begin, at - begin);
     }
   }
   return s;
