@@ -1,7 +1,7 @@
 #!/usr/bin/python3
-"""The extension of Inkscape, as Inkscape runs it, and in Inkscape itself: inkscape_test.py TAUT ROOT
+"""The extension of Inkscape, as Inkscape runs it, and in Inkscape itself: inkscape_test.py TAUT ROOT [PICTURE]
 
-Contacts are compared with closed forms. Inkscape itself is started where there is a screen for it, or xvfb-run.
+With PICTURE, only saves a picture of Inkscape with the dialog and an answer. Contacts are compared with closed forms. Inkscape itself is started where there is a screen for it, or xvfb-run.
 """
 import math
 import os
@@ -193,6 +193,15 @@ class Contacts(unittest.TestCase):
                          [(one.tag, dict(one.attrib)) for one in before.iter()])
 
 
+    def test_the_example(self):
+        """The lever's side, 5 beside its pin, meets a disc of radius 6 whose centre is 50 away."""
+        with open(os.path.join(ROOT, "examples/import/lever.svg"), encoding="utf-8") as file:
+            run = Run(file.read().split("?>", 1)[1], ["stop", "lever"], angle=-90, pivot="object", pivot_object="pin")
+        self.assertAlmostEqual(run.number(), math.degrees(math.atan2(30, 40) - math.asin(11 / 50)), places=6)
+        text = next(run.layer.iter("{*}text"))
+        self.assertEqual((text.get("x"), text.get("y")), (text[0].get("x"), text[0].get("y")))
+
+
 class Errors(unittest.TestCase):
     SVG = drawing('<rect id="plate" x="0" y="50" width="100" height="5"/><rect id="block" x="0" y="0" width="5" height="5"/>'
                   '<path id="open" d="M 20 20 H 30 V 30" fill="none" stroke="black"/><text id="text">abc</text><g id="empty"/>'
@@ -258,6 +267,46 @@ class Boxes(unittest.TestCase):
                 self.assertAlmostEqual(end, found, delta=2e-4)
 
 
+def profile_in(folder):
+    """The environment of an Inkscape that has the extension, and finds taut."""
+    for inner in ("extensions", "bin"):
+        os.makedirs(os.path.join(folder, inner), exist_ok=True)
+    for source in FOLDERS:
+        for name in os.listdir(source):
+            if name.endswith((".py", ".inx")):
+                shutil.copy(os.path.join(source, name), os.path.join(folder, "extensions"))
+    if not os.path.exists(os.path.join(folder, "bin/taut")):
+        os.symlink(TAUT, os.path.join(folder, "bin/taut"))
+    return dict(os.environ, INKSCAPE_PROFILE_DIR=folder, PATH=os.path.join(folder, "bin") + ":/usr/bin:/bin")
+
+
+# What a user does: selects, opens the dialog, and presses Apply. Preferences hold what was entered.
+PREFERENCES = """<inkscape version="1"><group id="theme" preferDarkTheme="0" darkTheme="0"/>
+<group id="extensions" taut.first-contact.angle="-90" taut.first-contact.pivot="object" taut.first-contact.pivot_object="pin"/>
+</inkscape>"""
+STEPS = """
+inkscape --with-gui --actions="select-by-id:stop,lever;taut.first-contact" "$1" >/dev/null 2>&1 &
+inkscape=$!
+dialog=$(timeout 20 xdotool search --sync --onlyvisible --name "First Contact")
+window=$(xdotool search --onlyvisible --name lever.svg | head -n 1)
+xdotool windowsize $window 1660 860 windowmove $window 0 0; sleep 1
+xdotool windowmove $dialog 1125 150; sleep 1
+xdotool mousemove --window $dialog 480 537 click 1; sleep 3
+xdotool mousemove 300 700 windowfocus $window key --window $window 5; sleep 2
+import -window root "$2"
+kill $inkscape
+"""
+
+
+def save_picture(picture):
+    with tempfile.TemporaryDirectory() as folder:
+        environment = profile_in(folder)
+        with open(os.path.join(folder, "preferences.xml"), "w", encoding="utf-8") as file:
+            file.write(PREFERENCES)
+        subprocess.run(["xvfb-run", "-a", "-s", "-screen 0 1660x860x24", "bash", "-c", STEPS, "bash",
+                        os.path.join(ROOT, "examples/import/lever.svg"), picture], env=environment, timeout=120, check=True)
+
+
 @unittest.skipUnless(shutil.which("inkscape"), "no Inkscape")
 class Inkscape(unittest.TestCase):
     def setUp(self):
@@ -271,15 +320,7 @@ class Inkscape(unittest.TestCase):
         """The drawing after the actions."""
         with open(self.path("in.svg"), "w", encoding="utf-8") as file:
             file.write(svg)
-        os.makedirs(self.path("extensions"), exist_ok=True)
-        os.makedirs(self.path("bin"), exist_ok=True)
-        for folder in FOLDERS:
-            for name in os.listdir(folder):
-                if name.endswith((".py", ".inx")):
-                    shutil.copy(os.path.join(folder, name), self.path("extensions"))
-        if not os.path.exists(self.path("bin/taut")):
-            os.symlink(TAUT, self.path("bin/taut"))
-        environment = dict(os.environ, INKSCAPE_PROFILE_DIR=self.folder.name, PATH=self.path("bin") + ":/usr/bin:/bin")
+        environment = profile_in(self.folder.name)
         done = subprocess.run([*words, "--actions=%s;export-filename:%s;export-do" % (actions, self.path("out.svg")),
                                self.path("in.svg")], env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                               timeout=120)
@@ -313,4 +354,7 @@ class Inkscape(unittest.TestCase):
 
 
 if __name__ == "__main__":
+    if len(sys.argv) > 3:
+        save_picture(os.path.abspath(sys.argv[3]))
+        sys.exit()
     unittest.main(argv=sys.argv[:1])

@@ -125,13 +125,13 @@ class FirstContact(inkex.EffectExtension):
             layer.append(ghost_of(element, moved))
         boxes = [box_around(element) for element in bodies]
         box = sum(boxes[1:], boxes[0])
-        size = max(box.width, box.height) / 36
+        size = max(box.width, box.height) / 30
         points = [(x / self.mm, -y / self.mm) for x, y in contact_of(answer)]
-        marks = [inkex.Circle.new(point, size / 3) for point in points]
+        marks = [inkex.Circle.new(point, size / 2) for point in points]
         if len(points) == 2:
             marks.append(inkex.Line.new(*points))
         for mark in marks:
-            mark.style = inkex.Style({"fill": "none", "stroke": BLUE, "stroke-width": "%gpx" % (size / 12)})
+            mark.style = inkex.Style({"fill": "none", "stroke": BLUE, "stroke-width": "%gpx" % (size / 8)})
             layer.append(mark)
         layer.append(text_of(lines, size, box.left, box.bottom))
         layer.set("id", self.svg.get_unique_id("taut"))
@@ -163,12 +163,13 @@ def ghost_of(element, moved):
 
 
 def text_of(lines, size, x, y):
-    """Lines below a point."""
-    text = inkex.TextElement()
-    text.style = inkex.Style({"font-size": "%gpx" % size, "font-family": "sans-serif", "fill": BLUE, "stroke": "none"})
+    """Lines below a point. Inkscape places them by the first one and their height, other programs one by one."""
+    text = inkex.TextElement(x="%.9g" % x, y="%.9g" % (y + 2 * size))
+    text.style = inkex.Style({"font-size": "%gpx" % size, "font-family": "sans-serif", "line-height": "1.3",
+                              "fill": BLUE, "stroke": "none"})
     for number, line in enumerate(part for line in lines for part in textwrap.wrap(line, 72)):
         span = inkex.Tspan(line)
-        span.update(x="%.9g" % x, y="%.9g" % (y + (number + 2) * 1.3 * size))
+        span.update(x="%.9g" % x, y="%.9g" % (y + 2 * size + 1.3 * number * size))
         span.set("sodipodi:role", "line")
         text.append(span)
     return text
