@@ -20,6 +20,9 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/taut.pc DESTINATION ${CMAKE_INSTALL_LI
 if(TARGET taut_cli)
   install(TARGETS taut_cli taut_verify RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
   # The page of `taut view`, if `./dev web` has built it.
+  # To be copied to where Inkscape and FreeCAD look: docs/integrations.md.
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/integrations DESTINATION ${CMAKE_INSTALL_DATADIR}/taut
+          PATTERN __pycache__ EXCLUDE)
   install(FILES ${CMAKE_BINARY_DIR}/../web/viewer.html ${CMAKE_BINARY_DIR}/../web/envelope.html DESTINATION ${CMAKE_INSTALL_DATADIR}/taut OPTIONAL)
 endif()
 if(TARGET taut_cli AND NOT WIN32)

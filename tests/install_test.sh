@@ -52,6 +52,7 @@ for file in bin/taut bin/taut-verify include/taut/taut.hpp share/man/man1/taut.1
   share/bash-completion/completions/taut share/zsh/site-functions/_taut share/fish/vendor_completions.d/taut.fish; do
   [ -s "$tree/$file" ] || fail "$file is not installed"
 done
+[ -s "$tree/share/taut/integrations/freecad/Taut.FCMacro" ] || fail "integrations are not installed"
 [ ! -f "$build/../web/viewer.html" ] || [ -s "$tree/share/taut/viewer.html" ] || fail "the viewer's page is not installed"
 "$tree/bin/taut" --version >/dev/null
 

@@ -27,7 +27,7 @@ printf '<svg width="4mm" viewBox="0 0 4 4"><circle id="disc" r="1"/></svg>' >dis
 taut import disc.svg -o disc.json
 for file in /usr/share/man/man1/taut.1 /usr/share/bash-completion/completions/taut \
   /usr/share/zsh/site-functions/_taut /usr/share/fish/vendor_completions.d/taut.fish \
-  /usr/include/taut/taut.hpp /usr/share/doc/taut/copyright; do
+  /usr/include/taut/taut.hpp /usr/share/taut/integrations/inkscape/taut_contact.inx /usr/share/doc/taut/copyright; do
   [ -s "$file" ] || { echo "FAILED: $file is not installed"; exit 1; }
 done
 ls /usr/lib/*/libtaut.a /usr/lib/*/cmake/taut/tautConfig.cmake /usr/lib/*/pkgconfig/taut.pc >/dev/null
