@@ -597,6 +597,7 @@ expect 2 '' "clearance: '0' is not more than 0" check --clearance 0 hit.json
 expect 2 '' 'clearance: it is not a positive number' check --clearance inf hit.json
 expect 1 '"fit":0.001}' '' check --json --fit 0.001 hit.json
 expect 2 '' 'for a fit of 100' check --fit 100 hit.json
+expect 2 '' 'a clearance is that of bodies as they are' check --clearance 1 --fit 0.1 hit.json
 expect 1 'closer than 1 at t = \[5.99' '' check --clearance 1 free.json hit.json
 expect 2 '' 'it draws one scene' check --clearance 1 --svg - hit.json free.json
 expect 0 'proof in kept.proof' '' prove --clearance 0.001 -o kept.proof free.json

@@ -93,7 +93,7 @@ struct MarginAnswer {
 /// question of check() with a margin; `clearance` must be positive. With CheckOptions::touch `open` bodies that come to
 /// the clearance and no closer, or stay at it, are free; `closed`, they are in contact. Free is proved, and so is the
 /// time of a contact: certified bounds in doubles decide what stays away, roots of any precision the rest. Engines,
-/// tracers and events mean nothing here. Throws InputError.
+/// tracers and events mean nothing here. Throws InputError, also if CheckOptions::fit is given.
 MarginAnswer check_clearance(const Scene& scene, double clearance, const CheckOptions& options = {});
 
 /// The distance at an instant: certainly lo <= d(t) <= hi.

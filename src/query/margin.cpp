@@ -255,6 +255,8 @@ MarginAnswer check_clearance_of_polygons(const Scene& scene, double clearance, c
 MarginAnswer check_clearance(const Scene& scene, double clearance, const CheckOptions& options) {
   if (!(clearance > 0 && std::isfinite(clearance)))
     throw InputError("clearance", "it is not a positive number", "check() asks whether bodies touch");
+  if (options.fit != 0)
+    throw InputError("fit", "a clearance is that of bodies as they are", "leave one of the two out");
   MarginAnswer answer = has_curves(scene) ? check_clearance_of_curves(scene, clearance, options)
                                           : check_clearance_of_polygons(scene, clearance, options);
   note_lock(scene, answer.outcome, answer.reason);
