@@ -75,27 +75,35 @@ class Taut:
         """The object that a subcommand prints."""
         return json.loads(self.run(*arguments, codes=codes))
 
-    def check(self, scene, clearance=0, deviation=0):
+    def check(self, scene, clearance=0, deviation=0, fit=0):
         """The answer about a scene, both as the objects of their JSON. If no pair was tested, it is `untested`.
 
+        `fit`: bodies are shrunk by so much to twice as much first, for parts that fit exactly; not with a clearance.
+
         `deviation`: how far the scene's outlines are from the shapes that they stand for, at most. If it is not 0 the
-        answer has a member `shapes`: is `free` proved of these shapes, too? It is if the outlines keep twice that distance
-        more.
+        answer has a member `shapes`: is `free` proved of these shapes, too? It is if the outlines keep twice that
+        distance more.
         """
-        answer = self._ask(scene, clearance)
+        if fit > 0 and clearance > 0:
+            raise TautError("Ask for a distance to keep, or shrink the bodies: one of the two.")
+        answer = self._ask(scene, clearance, fit)
         if deviation > 0:
-            wide = answer["outcome"] == "free" and self._ask(scene, clearance + 2 * deviation)["outcome"] == "free"
-            answer["shapes"] = {"deviation": deviation, "free": wide}
+            # Of shrunk bodies nothing follows for the curves.
+            free = fit == 0 and answer["outcome"] == "free"
+            free = free and self._ask(scene, clearance + 2 * deviation)["outcome"] == "free"
+            answer["shapes"] = {"deviation": deviation, "free": free}
         return answer
 
     def draw(self, t, picture):
         """A picture (SVG) of the scene that was asked about last, at the time t."""
         self.run("draw", self.path("scene.json"), "--at", repr(t), "-o", picture, prints=False)
 
-    def _ask(self, scene, clearance):
+    def _ask(self, scene, clearance, fit=0):
         words = ["check", "--json", "--allow-untested", "--max-seconds", repr(self.seconds)]
         if clearance > 0:
             words += ["--clearance", repr(clearance)]
+        if fit > 0:
+            words += ["--fit", repr(fit)]
         return self.json_of(*words, self.write("scene.json", json.dumps(scene)))
 
 
@@ -196,6 +204,9 @@ def answer_in_words(answer, motion, unit, clearance=0):
         lines.append("Whether they touch was not decided: %s." % answer["touching_undecided"])
     if "geometry" in answer and "shapes" not in answer:
         lines.append("This is about the curves themselves, not about chords.")
+    fit = answer["scope"].get("fit", 0)
+    if fit > 0:
+        lines.append("All this is about bodies shrunk by %.6g to %.6g %s." % (fit, 2 * fit, unit))
     if "shapes" in answer:
         lines.append(shapes_in_words(answer, unit))
     return lines + untested_of(answer)

@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 """The macro of FreeCAD, in freecadcmd, and its panel without a screen: freecad_test.py TAUT ROOT [PICTURE]
 
-With PICTURE, only saves a picture of FreeCAD's window with the panel and an answer. Contacts are compared with closed forms, and with the distances that FreeCAD finds between its own shapes.
+With PICTURE, only saves a picture of FreeCAD's window with the panel and an answer. Contacts are compared with closed
+forms, and with the distances that FreeCAD finds between its own shapes.
 """
 import glob
 import math
@@ -351,6 +352,22 @@ class Motions(InDocument):
         self.assertAlmostEqual(result.answer["t"][0], 7 / 20, places=9)
         self.assertIn("come closer than 3 mm after 35 %", result.lines[0])
         self.assertEqual(len(result.points), 2)
+
+
+    def test_pins_in_holes_of_their_size(self):
+        """Undecided; the answer about bodies shrunk by 0.01 to 0.02 is that of a lever that is so much smaller."""
+        wall, _ = self.lever()
+        arm = Part.makeBox(10, 50, 3, Vector(-5, 0, 0)).fuse(Part.makeCylinder(5, 3)).cut(Part.makeCylinder(2, 3))
+        lever, pin = self.add("arm", arm.removeSplitter()), self.add("pin", Part.makeCylinder(2, 3))
+        turn = Turn(Plane(), Vector(), Z, -90)
+        self.assertEqual(self.ask([wall, pin, lever], [lever], turn).answer["outcome"], "undecided")
+        result = self.ask([wall, pin, lever], [lever], turn, fit=0.01)
+        self.assertIn("wall and arm meet", result.lines[0])
+        self.assertIn("All this is about bodies shrunk by 0.01 to 0.02 mm.", result.lines)
+        last = math.degrees(math.asin(40.0225 / math.hypot(49.9775, 4.9775)) - math.atan2(4.9775, 49.9775))
+        self.assertTrue(LEVER_ANGLE < result.answer["t"][0] < last, (LEVER_ANGLE, result.answer["t"], last))
+        with self.assertRaisesRegex(TautError, "one of the two"):
+            self.ask([wall, pin, lever], [lever], turn, fit=0.01, clearance=1)
 
 
 class Reports(InDocument):

@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 """The extension of Inkscape, as Inkscape runs it, and in Inkscape itself: inkscape_test.py TAUT ROOT [PICTURE]
 
-With PICTURE, only saves a picture of Inkscape with the dialog and an answer. Contacts are compared with closed forms. Inkscape itself is started where there is a screen for it, or xvfb-run.
+With PICTURE, only saves a picture of Inkscape with the dialog and an answer. Contacts are compared with closed forms.
+Inkscape itself is started where there is xvfb-run.
 """
 import math
 import os
@@ -153,6 +154,16 @@ class Contacts(unittest.TestCase):
         run = Run(svg, ["plate", "disc"], motion="translation", right=0, down=40, clearance=15)
         self.assertIn("CLOSER AT THE START: as they are drawn, plate and disc are 14 mm apart", run.words)
 
+    def test_parts_that_fit_exactly(self):
+        """A ring turns about a disc of the size of its hole."""
+        svg = drawing('<circle id="pin" cx="50" cy="50" r="5"/><path id="ring" fill-rule="evenodd" d="M 40 40 H 60 V 60 H 40 Z '
+                      'M 55 50 A 5 5 0 0 0 45 50 A 5 5 0 0 0 55 50 Z"/>')
+        options = dict(pivot="point", pivot_x=50, pivot_y=50)
+        self.assertIn("UNDECIDED: curves touch", Run(svg, ["pin", "ring"], **options).words)
+        run = Run(svg, ["pin", "ring"], fit=0.001, **options)
+        self.assertIn("FREE", run.words)
+        self.assertIn("All this is about bodies shrunk by 0.001 to 0.002 mm.", run.words)
+
     def test_outcomes_without_a_contact(self):
         svg = drawing(LEVER % "")
         free = Run(svg, ["lever", "wall"], angle=90)
@@ -222,7 +233,7 @@ class Errors(unittest.TestCase):
         self.fails(["plate", "block"], "The pivot's object is no body", pivot="object", pivot_object="block")
         self.fails(["plate", "block"], "All selected objects move", moving="plate,block")
         self.fails(["plate", "block"], 'No object among the selected objects is called "nothing"', moving="nothing")
-        self.fails(["plate", "block", "twice"], '2 objects among the selected objects is called', moving="plate")
+        self.fails(["plate", "block", "twice"], '2 objects among the selected objects are called', moving="plate")
         self.fails(["plate", "block"], "Name the object whose centre is the pivot", pivot="object")
 
     def test_shapes(self):

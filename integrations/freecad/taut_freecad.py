@@ -20,7 +20,7 @@ class Turn(Rotation):
 
 
 class Placements:
-    """From placement to placement, evenly, as Placement.slerp() goes: the placement's base moves along straight lines."""
+    """From placement to placement, evenly, as Placement.slerp() goes: the base moves along straight lines."""
 
     def __init__(self, plane, placements):
         if len(placements) < 2:
@@ -32,7 +32,8 @@ class Placements:
                 angle += turned_by(plane, placements[k - 1], placement)
             way = plane.to(placement.Base) - self.pivot
             if abs(way.z) > SAME:
-                raise TautError("The placements are not in one plane of motion: they differ by %.6g mm along its normal." % way.z)
+                raise TautError("The placements are not in one plane of motion: they differ by %.6g mm along its "
+                                "normal." % way.z)
             self.keyframes.append({"t": k, "x": way.x, "y": way.y, "angle_deg": angle})
         self.end = len(placements) - 1
         if all(frame["x"] == frame["y"] == frame["angle_deg"] == 0 for frame in self.keyframes):
@@ -48,7 +49,8 @@ class Placements:
 
     def in_words(self, t):
         x, y, angle = self.at(t)
-        return "%.9g %% of the way (moved by %.6g mm, turned by %.9g degrees)" % (100 * t / self.end, math.hypot(x, y), angle)
+        return ("%.9g %% of the way (moved by %.6g mm, turned by %.9g degrees)" %
+                (100 * t / self.end, math.hypot(x, y), angle))
 
     def matrix(self, t):
         x, y, degrees = self.at(t)
@@ -91,8 +93,8 @@ class Result:
             FreeCAD.Console.PrintMessage("Picture: %s\n" % self.picture)
 
 
-def first_contact(bodies, moving, motion, plane=None, height=None, tolerance=0.01, clearance=0, command="", seconds=60,
-                  picture=""):
+def first_contact(bodies, moving, motion, plane=None, height=None, tolerance=0.01, clearance=0, fit=0, command="",
+                  seconds=60, picture=""):
     """A Result. Throws TautError, with the reason in words.
 
     bodies     objects of a document; `moving`, some of them, move together by `motion`: a Turn or Placements
@@ -100,6 +102,7 @@ def first_contact(bodies, moving, motion, plane=None, height=None, tolerance=0.0
     height     solids are cut there, in mm above the plane; None: they are divided into layers, each with its heights
     tolerance  in mm: curves that scenes do not have become chords that are at most so far away
     clearance  in mm: the distance to keep; 0: they may touch
+    fit        in mm: bodies are shrunk by so much to twice as much, for pins in holes of their size
     command    where taut is, if the system does not find it
     picture    the name of a file for an SVG picture of the bodies at the contact
     """
@@ -118,7 +121,7 @@ def first_contact(bodies, moving, motion, plane=None, height=None, tolerance=0.0
         notes += ["%s: %s." % (body.Label, note) for note in outlines.notes]
         deviation = max(deviation, outlines.deviation)
     with Taut(command, seconds) as taut:
-        answer = taut.check(scene, clearance, deviation)
+        answer = taut.check(scene, clearance, deviation, fit)
         lines = answer_in_words(answer, motion, "mm", clearance) + notes
         if picture:
             picture = os.path.abspath(picture)
@@ -135,7 +138,8 @@ def add_copies(result):
     document = result.moving[0].Document
     document.openTransaction("taut: first contact")
     group = document.addObject("App::DocumentObjectGroup", "TautContact")
-    group.Label = "taut: %s after %s" % (result.answer["outcome"].replace("_", " "), result.motion.in_words(result.instant))
+    outcome = result.answer["outcome"].replace("_", " ")
+    group.Label = "taut: %s after %s" % (outcome, result.motion.in_words(result.instant))
     for body in result.moving:
         ghost = document.addObject("Part::Feature", "TautGhost")
         ghost.Label = body.Label + " at the contact"

@@ -46,6 +46,7 @@ class TautPanel:
         self.angle = number(rows, "Angle (degrees):", 90)
         self.target = choice(rows, "Object at the end:", [thing.Label for thing in self.targets()])
         self.clearance = number(rows, "Distance to keep (mm):", 0, low=0)
+        self.fit = number(rows, "Shrink bodies by (--fit, mm):", 0, low=0)
         self.tolerance = number(rows, "Tolerance of chords (mm):", 0.01, low=0.0001)
         self.command = QtGui.QLineEdit(FreeCAD.ParamGet(PREFERENCES).GetString("Command", ""))
         self.command.setPlaceholderText("where the system looks for programs")
@@ -103,6 +104,7 @@ class TautPanel:
         return first_contact(self.bodies, moving, self.chosen_motion(plane, moving), plane,
                              height=None if self.layers.currentIndex() == 0 else self.height.value(),
                              tolerance=self.tolerance.value(), clearance=self.clearance.value(),
+                             fit=self.fit.value(),
                              command=self.command.text(), picture=picture)
 
     def run(self):

@@ -28,6 +28,7 @@ class FirstContact(inkex.EffectExtension):
         pars.add_argument("--right", type=float, default=10)
         pars.add_argument("--down", type=float, default=0)
         pars.add_argument("--clearance", type=float, default=0)
+        pars.add_argument("--fit", type=float, default=0)
         pars.add_argument("--curves", type=inkex.Boolean, default=True)
         pars.add_argument("--tolerance", type=float, default=0.01)
         pars.add_argument("--open", default="error", choices=["error", "close", "skip"])
@@ -59,7 +60,7 @@ class FirstContact(inkex.EffectExtension):
                 # Notes may be about curves that became chords.
                 if not self.options.curves or file["notes"] or "as_chords" in file:
                     deviation = max(deviation, file["tolerance"] if file["deviation"] > 0 else 0)
-            answer = taut.check(scene, self.options.clearance, deviation)
+            answer = taut.check(scene, self.options.clearance, deviation, self.options.fit)
         lines = answer_in_words(answer, motion, "mm", self.options.clearance)
         if isinstance(motion, Rotation):
             left, top = self.copy.get_viewbox()[:2]
@@ -118,7 +119,7 @@ class FirstContact(inkex.EffectExtension):
 
     def add_layer(self, answer, motion, moving, bodies, lines):
         t = instant_of(answer, motion.end)
-        layer = inkex.Layer.new("taut: %s at %s" % (answer["outcome"].replace("_", " "), motion.in_words(t)))
+        layer = inkex.Layer.new("taut: %s after %s" % (answer["outcome"].replace("_", " "), motion.in_words(t)))
         a, b, c, d, e, f = motion.matrix(t)
         moved = inkex.Transform((a, -b, -c, d, e / self.mm, -f / self.mm))
         for element in moving:

@@ -34,7 +34,8 @@ def named(svg, word, among=None):
     where = "in the drawing" if among is None else "among the selected objects"
     if not word:
         raise TautError("Name the object whose centre is the pivot.")
-    raise TautError("%s %s is called \"%s\"." % ("No object" if not found else "%d objects" % len(found), where, word))
+    raise TautError("%s %s %s called \"%s\"." % (*(("%d objects" % len(found), where, "are") if found else
+                                                   ("No object", where, "is")), word))
 
 
 def centre_of(element):
@@ -67,7 +68,8 @@ def drawing_of(element):
     definitions, and what it clones.
     """
     svg = element.getroottree().getroot()
-    alone = etree.Element("{%s}svg" % SVG, nsmap={None: SVG, "inkscape": inkex.NSS["inkscape"], "xlink": inkex.NSS["xlink"]})
+    names = {None: SVG, "inkscape": inkex.NSS["inkscape"], "xlink": inkex.NSS["xlink"]}
+    alone = etree.Element("{%s}svg" % SVG, nsmap=names)
     for key, value in svg.attrib.items():
         if key in ("style", "class", "fill", "stroke", "fill-rule", "stroke-width"):
             alone.set(key, value)
