@@ -438,6 +438,27 @@ class Panel(InDocument):
         self.assertFalse(self.panel.picture.pixmap().isNull())
         self.assertTrue(any(thing.Name.startswith("TautGhost") for thing in self.document.Objects))
 
+    def test_the_plane_of_a_face_or_a_sketch(self):
+        """The lever and the wall, tilted; the plane is that of the lever's upper face, or of a sketch."""
+        tilted = Plane.of(Vector(3, 2, 1), Vector(1, 2, 3))
+        for thing in (self.wall, self.lever_body):
+            thing.Placement = tilted.placement
+        sketch = self.document.addObject("Sketcher::SketchObject", "Sketch")
+        sketch.Placement = tilted.placement
+        self.document.recompute()
+        upper = max(self.lever_body.Shape.Faces, key=lambda face: tilted.to(face.CenterOfMass).z)
+        pivot = tilted.placement.multVec(Vector())
+        for plane in (Plane.of_selected(sketch), Plane.of_selected(self.lever_body, upper)):
+            self.assertLess(plane.normal.distanceToPoint(tilted.normal), 1e-9)
+            self.panel.use_plane(plane)
+            self.panel.x.setValue(plane.to(pivot).x)
+            self.panel.y.setValue(plane.to(pivot).y)
+            self.panel.angle.setValue(-90)
+            self.panel.check.click()
+            self.assertIn("meet after 47.042", self.panel.words.text())
+        with self.assertRaisesRegex(TautError, "a flat face, or a sketch"):
+            Plane.of_selected(self.wall)
+
     def test_a_placement(self):
         target = self.add("target", Part.makeBox(1, 1, 1), Placement(Vector(70, 0, 0), Rotation()))
         self.panel.target.addItem(target.Label)
@@ -447,6 +468,8 @@ class Panel(InDocument):
         self.panel.height.setValue(1)
         self.panel.check.click()
         self.assertIn("after 50 % of the way", self.panel.words.text())
+        self.assertEqual([field.isHidden() for field in (self.panel.height, self.panel.angle, self.panel.target)],
+                         [False, True, False])
 
     def test_errors_are_shown(self):
         self.panel.command.setText("/nowhere/taut")

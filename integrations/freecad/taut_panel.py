@@ -36,6 +36,10 @@ class TautPanel:
             item.setCheckState(QtCore.Qt.Checked if body is self.bodies[-1] else QtCore.Qt.Unchecked)
         rows.addRow("Ticked bodies move:", self.moving)
         self.plane = choice(rows, "Plane of the motion:", ["XY", "XZ", "YZ"])
+        self.own_plane = None
+        self.take_plane = QtGui.QPushButton("Plane of the selected face or sketch")
+        self.take_plane.clicked.connect(self.use_selected_plane)
+        rows.addRow(self.take_plane)
         self.layers = choice(rows, "Solids are:", ["in layers, with heights", "cut at one height"])
         self.height = number(rows, "Height of the cut (mm):", 0)
         self.motion = choice(rows, "Motion:", ["turn about an axis", "to another's placement"])
@@ -57,17 +61,48 @@ class TautPanel:
         self.check = QtGui.QPushButton("Check")
         self.check.clicked.connect(self.run)
         rows.addRow(self.check)
+        for box in (self.layers, self.motion):
+            box.currentIndexChanged.connect(self.show_what_counts)
+        self.show_what_counts()
         self.words, self.picture = QtGui.QLabel(), QtGui.QLabel()
         self.words.setWordWrap(True)
         rows.addRow(self.words)
         rows.addRow(self.picture)
+
+    def show_what_counts(self, *_):
+        """Hides what the choices leave without a meaning."""
+        turns = self.motion.currentIndex() == 0
+        for field, shown in ((self.height, self.layers.currentIndex() == 1), (self.x, turns), (self.y, turns),
+                             (self.take, turns), (self.angle, turns), (self.target, not turns)):
+            field.setVisible(shown)
+            label = self.form.layout().labelForField(field)
+            if label:
+                label.setVisible(shown)
 
     def targets(self):
         document = self.bodies[0].Document if self.bodies else None
         return [thing for thing in document.Objects if hasattr(thing, "Placement")] if document else []
 
     def chosen_plane(self):
-        return Plane.named(self.plane.currentText())
+        """The last choice is the selected one, once there is one."""
+        return Plane.named(self.plane.currentText()) if self.plane.currentIndex() < 3 else self.own_plane
+
+    def use_selected_plane(self):
+        import FreeCADGui
+        selected = FreeCADGui.Selection.getSelectionEx()
+        if not selected:
+            self.say(["Select a flat face, or a sketch."])
+            return
+        try:
+            self.use_plane(Plane.of_selected(selected[0].Object, *selected[0].SubObjects[:1]))
+        except TautError as error:
+            self.say([str(error)])
+
+    def use_plane(self, plane):
+        self.own_plane = plane
+        if self.plane.count() == 3:
+            self.plane.addItem("the selected one")
+        self.plane.setCurrentIndex(3)
 
     def take_axis(self):
         """From the selected edge or face: the point, in the coordinates of the plane."""

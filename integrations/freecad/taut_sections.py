@@ -23,7 +23,7 @@ class Plane:
 
     @classmethod
     def named(cls, name):
-        """XY, XZ or YZ; seen from the side from which FreeCAD's front, right and top views see them."""
+        """XY, XZ or YZ, seen as FreeCAD's top, front and right views see them."""
         turns = {"XY": (FreeCAD.Vector(1, 0, 0), 0), "XZ": (FreeCAD.Vector(1, 0, 0), 90),
                  "YZ": (FreeCAD.Vector(1, 1, 1), 120)}
         return cls(FreeCAD.Placement(FreeCAD.Vector(), FreeCAD.Rotation(*turns[name])))
@@ -31,6 +31,16 @@ class Plane:
     @classmethod
     def of(cls, base, normal):
         return cls(FreeCAD.Placement(base, FreeCAD.Rotation(UP, normal)))
+
+    @classmethod
+    def of_selected(cls, thing, part=None):
+        """The plane of a flat face, seen from outside, or of a sketch, in its own coordinates."""
+        if part is not None and isinstance(getattr(part, "Surface", None), Part.Plane):
+            u, v = part.ParameterRange[0], part.ParameterRange[2]
+            return cls.of(part.valueAt(u, v), part.normalAt(u, v))
+        if thing.isDerivedFrom("Part::Part2DObject"):
+            return cls(thing.getGlobalPlacement())
+        raise TautError("Select a flat face, or a sketch.")
 
     def to(self, point):
         """(x, y, height) of a point of the model."""
