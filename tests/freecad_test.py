@@ -181,6 +181,16 @@ class Layers(InDocument):
         result = self.ask([wall, lever], [lever], Turn(Plane(), Vector(), Z, -90))
         self.assertAlmostEqual(result.answer["t"][0], LEVER_ANGLE, places=9)
 
+    def test_flush_faces_of_any_height(self):
+        """Plates whose common height doubles do not have, in a plane that is tilted."""
+        tilted = Plane.of(Vector(3, 2, 1), Vector(1, 2, 3))
+        for height in (1 / 3, 0.1 + 0.2, math.pi):
+            wall, lever = self.lever((height, height + 1), (0, height))
+            for thing in (wall, lever):
+                thing.Placement = tilted.placement
+            turn = Turn(tilted, tilted.placement.Base, tilted.normal, -90)
+            self.assertEqual(self.ask([wall, lever], [lever], turn, tilted).answer["outcome"], "untested")
+
     def test_steps_have_heights_of_their_own(self):
         """A stop that is wide below and narrow above: the lever passes over its foot, and meets its head."""
         foot, head = Part.makeBox(30, 75, 2, Vector(15, -15, 0)), Part.makeBox(5, 75, 8, Vector(40, -15, 0))

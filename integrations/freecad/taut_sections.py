@@ -259,6 +259,6 @@ def distinct(heights):
     result = []
     for height in sorted(heights):
         if not result or height - result[-1] > SAME:
-            # Faces that are meant to lie on each other do so exactly.
-            result.append(round(height, 6) if abs(height - round(height, 6)) < SAME / 10 else height)
+            # Faces that lie on each other, but for FreeCAD's own tolerance, are to do so exactly.
+            result.append(round(height, 7))
     return result
