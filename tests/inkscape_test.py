@@ -19,6 +19,7 @@ sys.path.insert(0, EXTENSIONS)
 try:
     import inkex
     from inkex.elements import load_svg
+    from lxml import etree
 except ImportError as missing:
     print("skipped: no inkex in %s (%s): `./dev integrations` installs Inkscape" % (EXTENSIONS, missing))
     sys.exit(77)
@@ -254,6 +255,28 @@ class Errors(unittest.TestCase):
         self.fails(["plate", "block"], "is not the command taut", taut="/nowhere/taut")
         self.fails(["plate", "block"], "is not the command taut", taut=__file__)
         self.fails(["plate", "block"], "/bin/true ended with exit code 0", taut="/bin/true")
+
+
+class Dialog(unittest.TestCase):
+    INX = etree.parse(os.path.join(FOLDERS[1], "taut_contact.inx"))
+
+    def test_is_as_inkscape_wants_it(self):
+        schema = etree.RelaxNG(etree.parse(os.path.join(EXTENSIONS, "inkscape.extension.rng")))
+        self.assertTrue(schema.validate(self.INX), schema.error_log)
+
+    def test_has_what_the_extension_takes(self):
+        """The same names, and the same values if nothing is entered."""
+        from taut_contact import FirstContact
+        known = vars(FirstContact().arg_parser.parse_args([]))
+        offered = {}
+        for param in self.INX.iter("{*}param"):
+            options = [option.get("value") for option in param.iter("{*}option")]
+            offered[param.get("name")] = options[0] if options else (param.text or "").strip()
+        del offered["tab"]
+        self.assertEqual(set(offered), set(known) - {"tab", "ids", "selected_nodes", "input_file", "output"})
+        for name, value in offered.items():
+            kind = type(known[name])
+            self.assertEqual(value == "true" if kind is bool else kind(value), known[name], name)
 
 
 class Boxes(unittest.TestCase):
