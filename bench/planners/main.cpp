@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "planners/state_tests.hpp"
+#include "planners/ways.hpp"
 #include "taut/ompl.hpp"
 
 namespace taut::bench {
@@ -121,8 +122,7 @@ struct Row {
   int passed = 0, wrong = 0, refused = 0;  ///< edges: passed as free, of these colliding; free ones that were refused
 };
 
-bool collides(const World& world, const og::PathGeometric& path, const ob::MotionValidator& exact) {
-  static_cast<void>(world);
+bool collides(const og::PathGeometric& path, const ob::MotionValidator& exact) {
   for (std::size_t i = 1; i < path.getStateCount(); ++i) {
     if (!exact.checkMotion(path.getState(static_cast<unsigned>(i - 1)), path.getState(static_cast<unsigned>(i))))
       return true;
@@ -146,7 +146,7 @@ void plan(const World& world, const Validator& validator, const ob::MotionValida
     row.cpu += cpu_seconds() - before;
     if (!setup.haveExactSolutionPath()) continue;
     ++row.found;
-    if (collides(world, setup.getSolutionPath(), exact)) ++row.collide;
+    if (collides(setup.getSolutionPath(), exact)) ++row.collide;
   }
 }
 
@@ -209,10 +209,9 @@ bool run_map(PlanMap of, const Settings& settings) {
   for (const auto& [name, test] :
        {std::pair<std::string, StateTest*>{"FCL", fcl.get()}, {"Box2D", box2d.get()}, {"taut's states", &own}}) {
     for (const double percent : {1.0, 0.3, 0.1})
-      if (!std::getenv("ONLY_EXACT") || std::getenv("BOX"))
-        validators.push_back({fmt::format("{}, {} %", name, percent), percent / 100, test});
+      validators.push_back({fmt::format("{}, {} %", name, percent), percent / 100, test});
   }
-  if (!std::getenv("BOX")) validators.push_back({"**exact**", 0, nullptr});
+  validators.push_back({"**exact**", 0, nullptr});
   const auto wanted = [&](const std::string& name) {
     const auto& names = settings.validators;
     return names.empty() || std::any_of(names.begin(), names.end(),
@@ -244,9 +243,12 @@ int main(int argc, char** argv) {
   app.add_option("--folder", settings.folder, "where trondheimsfjord.wkt is (bench/planners)");
   app.add_option("--only", settings.only, "names of maps");
   app.add_option("--validators", settings.validators, "parts of names of validators");
+  bool ways = false;
+  app.add_flag("--ways", ways, "narrow passages instead: planners of OMPL beside find_path()");
   CLI11_PARSE(app, argc, argv);
   ::ompl::msg::setLogLevel(::ompl::msg::LOG_NONE);
   try {
+    if (ways) return compare_ways(settings.runs, settings.limit) ? 0 : 1;
     fmt::print("| map | validator | found | collide | CPU, s | edges a second | edges passed that collide |\n");
     fmt::print("|---|---|---|---|---|---|---|\n");
     bool good = true;
