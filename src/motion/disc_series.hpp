@@ -15,6 +15,21 @@
 
 namespace taut::internal {
 
+/// Further coefficients of the sine and the cosine of a series, by s' = c a' and c' = -s a'; the first ones are there.
+template <class Series>
+void sin_cos_coefficients(const Series& a, Series& sine, Series& cosine) {
+  for (int k = 1; k < sine.terms; ++k) {
+    double of_sine = 0, of_cosine = 0;
+    for (int i = 1; i <= std::min(k, a.terms - 1); ++i) {
+      const double slope = i * a.c[static_cast<std::size_t>(i)];
+      of_sine += slope * cosine.c[static_cast<std::size_t>(k - i)];
+      of_cosine += slope * sine.c[static_cast<std::size_t>(k - i)];
+    }
+    sine.c[static_cast<std::size_t>(k)] = of_sine / k;
+    cosine.c[static_cast<std::size_t>(k)] = -of_cosine / k;
+  }
+}
+
 class DiscSeries {
  public:
   using Number = double;
@@ -85,16 +100,7 @@ class DiscSeries {
     si.terms = co.terms = a.terms == 1 ? 1 : order + 1;
     si.c[0] = start.sin.mid;
     co.c[0] = start.cos.mid;
-    for (int k = 1; k < si.terms; ++k) {
-      double of_sine = 0, of_cosine = 0;
-      for (int i = 1; i <= std::min(k, a.terms - 1); ++i) {
-        const double slope = i * a.c[static_cast<std::size_t>(i)];
-        of_sine += slope * co.c[static_cast<std::size_t>(k - i)];
-        of_cosine += slope * si.c[static_cast<std::size_t>(k - i)];
-      }
-      si.c[static_cast<std::size_t>(k)] = of_sine / k;
-      co.c[static_cast<std::size_t>(k)] = -of_cosine / k;
-    }
+    sin_cos_coefficients(a, si, co);
     const double way = a.sum_of_magnitudes(1), ns = si.sum_of_magnitudes(0), nc = co.sum_of_magnitudes(0);
     DiscSeries slope = a;  // i a_i / k bounds the term's share of coefficient k
     slope.c[0] = 0;
@@ -186,16 +192,7 @@ struct RoughSeries {
     si.terms = co.terms = a.terms == 1 ? 1 : a.known;
     si.c[0] = start.sin.mid;
     co.c[0] = start.cos.mid;
-    for (int k = 1; k < si.terms; ++k) {
-      double of_sine = 0, of_cosine = 0;
-      for (int i = 1; i <= std::min(k, a.terms - 1); ++i) {
-        const double slope = i * a.c[static_cast<std::size_t>(i)];
-        of_sine += slope * co.c[static_cast<std::size_t>(k - i)];
-        of_cosine += slope * si.c[static_cast<std::size_t>(k - i)];
-      }
-      si.c[static_cast<std::size_t>(k)] = of_sine / k;
-      co.c[static_cast<std::size_t>(k)] = -of_cosine / k;
-    }
+    sin_cos_coefficients(a, si, co);
     sine = si;
     cosine = co;
   }

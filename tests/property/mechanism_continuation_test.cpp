@@ -9,6 +9,7 @@
 #include "motion/pose.hpp"
 #include "support/closed_linkage.hpp"
 #include "support/effort.hpp"
+#include "support/sum_of_doubles.hpp"
 #include "taut/error.hpp"
 
 namespace taut::testing {
@@ -165,17 +166,6 @@ std::optional<Scene> driven_elsewhere(Rng& rng, const ClosedLinkage& linkage) {
   }
 }
 
-template <class Real>
-Digits as_digits(Real x) {
-  Digits sum = 0;
-  while (x != 0) {
-    const double d = static_cast<double>(x);
-    sum += Digits(d);
-    x -= d;
-  }
-  return sum;
-}
-
 class JudgedByContinuation {
  public:
   JudgedByContinuation(const ClosedLinkage& linkage, const Scene& scene)
@@ -200,7 +190,7 @@ class JudgedByContinuation {
     const auto found =
         placed_point(pose_of<Jet<Real>>(chain(marker.body), Ball<Real>::exact(t)), LocalPoint(marker.at, {0, 0}));
     for (std::size_t i = 0; i < 2; ++i) {
-      EXPECT_LE(abs(as_digits(found[i].v.mid) - expected[i]), Digits(found[i].v.rad) + Digits(1e-60))
+      EXPECT_LE(abs(sum_of_doubles<Digits>(found[i].v.mid) - expected[i]), Digits(found[i].v.rad) + Digits(1e-60))
           << t << " body " << marker.body;
     }
   }

@@ -7,6 +7,7 @@
 #include "motion/pose.hpp"
 #include "support/closed_linkage.hpp"
 #include "support/effort.hpp"
+#include "support/sum_of_doubles.hpp"
 #include "taut/error.hpp"
 #include "taut/pose.hpp"
 
@@ -28,21 +29,9 @@ PieceChain chain_of(const Scene& scene, int body) {
   return chain;
 }
 
-/// The sum of doubles that a number of any precision is.
-template <class Real>
-Long as_long(Real x) {
-  Long sum = 0;
-  while (x != 0) {
-    const double d = static_cast<double>(x);
-    sum += Long(d);
-    x -= d;
-  }
-  return sum;
-}
-
 template <class Real>
 bool encloses(const Ball<Real>& ball, const Long& x) {
-  return boost::multiprecision::abs(as_long(ball.mid) - x) <= Long(ball.rad);
+  return boost::multiprecision::abs(sum_of_doubles<Long>(ball.mid) - x) <= Long(ball.rad);
 }
 
 /// Both coordinates of a marker, over a ball of times.

@@ -18,14 +18,6 @@
 namespace taut::testing {
 namespace {
 
-/// The rest of the scene, from the present on.
-Answer asked_afresh(const Simulation& simulation, Touch touch) {
-  Scene rest = simulation.scene();
-  rest.start = simulation.time();
-  rest.at_rest = AtRest::never;
-  return fresh_answer(rest, touch);
-}
-
 struct RunCounts {
   int contacts = 0, again = 0, finished = 0, changes = 0, scenes = 0, several = 0;
 };

@@ -13,14 +13,6 @@
 namespace taut::testing {
 namespace {
 
-/// The rest of the scene, from the present on.
-Answer asked_afresh(const Simulation& simulation, Touch touch) {
-  Scene rest = simulation.scene();
-  rest.start = simulation.time();
-  rest.at_rest = AtRest::never;
-  return fresh_answer(rest, touch);
-}
-
 class SimulatedRun {
  public:
   SimulatedRun(std::uint64_t number, const Scene& scene, Touch touch, RunTally& tally)

@@ -18,6 +18,13 @@ Answer fresh_answer(const Scene& scene, Touch touch) {
   return check(scene, options);
 }
 
+Answer asked_afresh(const Simulation& simulation, Touch touch) {
+  Scene rest = simulation.scene();
+  rest.start = simulation.time();
+  rest.at_rest = AtRest::never;
+  return fresh_answer(rest, touch);
+}
+
 void expect_ended(const Simulation& simulation, const Answer& answer, SimulationCounts& counts) {
   if (answer.outcome == Outcome::free) {
     ASSERT_EQ(simulation.state(), SimulationState::finished) << simulation.reason();

@@ -9,6 +9,8 @@ namespace taut::testing {
 
 /// By the second engine.
 Answer fresh_answer(const Scene& scene, Touch touch);
+/// The same about the rest of the simulation's scene, from the present on.
+Answer asked_afresh(const Simulation& simulation, Touch touch);
 
 struct SimulationCounts {
   int contacts = 0, finished = 0, overlaps = 0, changes = 0;

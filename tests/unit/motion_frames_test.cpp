@@ -10,6 +10,7 @@
 #include "support/exact_motion.hpp"
 #include "support/exact_roots.hpp"
 #include "support/rng.hpp"
+#include "support/sum_of_doubles.hpp"
 
 namespace taut::testing {
 using namespace internal;
@@ -22,21 +23,9 @@ using exact::Rational;
 using exact::Wide;
 using Wides = exact::Series<Wide, 2>;
 
-/// The sum of doubles that a number of any precision is.
-template <class Real>
-Rational rational(Real x) {
-  Rational sum = 0;
-  while (x != 0) {
-    const double d = static_cast<double>(x);
-    sum += Rational(d);
-    x -= d;
-  }
-  return sum;
-}
-
 template <class Real>
 bool encloses(const Ball<Real>& ball, const Wide& x) {
-  const Rational mid = rational(ball.mid), rad(ball.rad);
+  const Rational mid = sum_of_doubles<Rational>(ball.mid), rad(ball.rad);
   return !Wide::of(mid + rad).before(x) && !x.before(Wide::of(mid - rad));
 }
 
