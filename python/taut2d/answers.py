@@ -201,8 +201,22 @@ class Answer(Verdict):
         return html_of_answer(self)
 
 
+class Logged(Undivided):
+    """An answer with a log that proves it."""
+
+    answer: Any
+    log: bytes
+
+    def save(self, path: Union[str, os.PathLike[str]]) -> None:
+        """Writes the log into a file, for ``taut verify``. Raises ValueError if there is none."""
+        if not self.log:
+            raise ValueError(f"there is no proof: the answer is {self.answer.outcome}")
+        with open(path, "wb") as file:
+            file.write(self.log)
+
+
 @dataclass(frozen=True)
-class Proof(Undivided):
+class Proof(Logged):
     """An answer with a log that proves it, which verify() and the program taut-verify check.
 
     ``answer``: as check() gives it. ``log``: the proof; empty if there is nothing to prove, since the bodies overlap at
@@ -215,13 +229,6 @@ class Proof(Undivided):
     scene_sha256: str
 
     _instead = 'proof.answer.outcome == "free", or verify(scene, proof)'
-
-    def save(self, path: Union[str, os.PathLike[str]]) -> None:
-        """Writes the log into a file, for ``taut verify``. Raises ValueError if there is none."""
-        if not self.log:
-            raise ValueError(f"there is no proof: the answer is {self.answer.outcome}")
-        with open(path, "wb") as file:
-            file.write(self.log)
 
 
 @dataclass(frozen=True)

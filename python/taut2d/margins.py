@@ -7,8 +7,8 @@ from dataclasses import dataclass, field
 from typing import Any, Optional
 
 from ._numbers import number
-from ._verdict import Undivided, Verdict, instant, names
-from .answers import Coverage, EdgeRef, Interval, Point, VertexRef, _floats, _pair
+from ._verdict import Verdict, instant, names
+from .answers import Coverage, EdgeRef, Interval, Logged, Point, VertexRef, _floats, _pair
 from .options import ask, asked_scene
 from .scene import Scene, _plain_places
 from .words import MarginOutcome, Pairs, Touch
@@ -87,7 +87,7 @@ class MarginAnswer(Verdict):
 
 
 @dataclass(frozen=True)
-class MarginProof(Undivided):
+class MarginProof(Logged):
     """An answer about a clearance with a log that proves it, which verify() and the program taut-verify check. ``log`` is
     empty if there is nothing to prove: bodies are closer at the start, or nothing was decided. ``scene_sha256``: names the
     scene that it is about."""

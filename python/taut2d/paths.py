@@ -10,8 +10,8 @@ from typing import Any, Optional, Union
 
 from . import _taut2d
 from ._numbers import number, point
-from ._verdict import Undivided, Verdict, bodies_text, names
-from .answers import Coverage, _log_of, _pair
+from ._verdict import Verdict, bodies_text, names
+from .answers import Coverage, Logged, _log_of, _pair
 from .errors import InputError
 from .linkages import EnvelopeCell, Linkage, _cells_from, _plot_cells
 from .options import ask
@@ -150,7 +150,7 @@ class PathAnswer(Verdict):
 
 
 @dataclass(frozen=True)
-class PathProof(Undivided):
+class PathProof(Logged):
     """An answer with a log that proves it, which verify_path() and the program taut-verify check.
 
     ``answer``: as path() gives it. ``log``: the proof that there is no way; empty otherwise: a way is proved by
@@ -161,13 +161,6 @@ class PathProof(Undivided):
     scene_sha256: str
 
     _instead = 'proof.answer.outcome == "none", or verify_path(problem, proof)'
-
-    def save(self, path: Union[str, os.PathLike[str]]) -> None:
-        """Writes the log into a file, for ``taut verify``. Raises ValueError if there is none."""
-        if not self.log:
-            raise ValueError(f"there is no proof: the answer is {self.answer.outcome}")
-        with open(path, "wb") as file:
-            file.write(self.log)
 
 
 @dataclass(frozen=True)
