@@ -10,6 +10,7 @@ from typing import Any, Optional, Union
 
 from . import _taut2d
 from ._numbers import number, point
+from ._text_form import TextForm
 from ._verdict import Verdict, bodies_text, names
 from .answers import Coverage, _pair
 from .errors import InputError
@@ -22,7 +23,7 @@ __all__ = ["Envelope", "EnvelopeCell", "EnvelopeWitness", "Linkage", "envelope"]
 
 
 @dataclass(frozen=True)
-class Linkage:
+class Linkage(TextForm):
     """Bodies that follow joints.
 
     ``bodies``: Body with a motion that is Revolute, Slide, Free, or None; an arm's links are chained by ``relative_to``.
@@ -57,28 +58,11 @@ class Linkage:
         return json.dumps(object, separators=(",", ":"), ensure_ascii=False, allow_nan=False)
 
     @classmethod
-    def from_json(cls, text: str, *, folder: Union[str, os.PathLike[str]] = ".") -> Linkage:
-        """The linkage that a JSON text describes. Raises InputError with line and column if it is not such a text."""
-        return cls._read(text, "scene", folder)
-
-    @classmethod
-    def load(cls, path: Union[str, os.PathLike[str]]) -> Linkage:
-        """Reads a file. Raises InputError with line and column if it is not right, and OSError if it cannot be read."""
-        path = os.fspath(path)
-        with open(path, encoding="utf-8") as file:
-            return cls._read(file.read(), path, os.path.dirname(path) or os.curdir)
-
-    @classmethod
     def _read(cls, text: str, name: str, folder: Union[str, os.PathLike[str]]) -> Linkage:
         _taut2d.read_linkage(_scene_text(text, name, folder))
         object = json.loads(text)
         return cls([_body_from_json(body) for body in object["bodies"]], object["joints"], object.get("ignore", ()),
                    object.get("id"), folder, object.get("at_rest", "skip"))
-
-    def save(self, path: Union[str, os.PathLike[str]]) -> None:
-        """Writes to_json() and a line break into a file."""
-        with open(path, "w", encoding="utf-8") as file:
-            file.write(self.to_json() + "\n")
 
 
 @dataclass(frozen=True)

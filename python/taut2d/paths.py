@@ -10,6 +10,7 @@ from typing import Any, Optional, Union
 
 from . import _taut2d
 from ._numbers import number, point
+from ._text_form import TextForm
 from ._verdict import Verdict, bodies_text, names
 from .answers import Coverage, Logged, _log_of, _pair
 from .errors import InputError
@@ -22,7 +23,7 @@ __all__ = ["PathAnswer", "PathProblem", "PathProof", "TightPlace", "VerifiedPath
 
 
 @dataclass(frozen=True)
-class PathProblem:
+class PathProblem(TextForm):
     """A start, a goal, and what may move in between.
 
     ``linkage``: bodies and up to four joints; a body that may move in all three ways follows Free.
@@ -62,27 +63,10 @@ class PathProblem:
         return json.dumps(object, separators=(",", ":"), ensure_ascii=False, allow_nan=False)
 
     @classmethod
-    def from_json(cls, text: str, *, folder: Union[str, os.PathLike[str]] = ".") -> PathProblem:
-        """The problem that a JSON text describes. Raises InputError with line and column if it is not such a text."""
-        return cls._read(text, "scene", folder)
-
-    @classmethod
-    def load(cls, path: Union[str, os.PathLike[str]]) -> PathProblem:
-        """Reads a file. Raises InputError with line and column if it is not right, and OSError if it cannot be read."""
-        path = os.fspath(path)
-        with open(path, encoding="utf-8") as file:
-            return cls._read(file.read(), path, os.path.dirname(path) or os.curdir)
-
-    @classmethod
     def _read(cls, text: str, name: str, folder: Union[str, os.PathLike[str]]) -> PathProblem:
         _taut2d.read_problem(_scene_text(text, name, folder))
         object = json.loads(text)
         return cls(Linkage._read(text, name, folder), object["start"], object["goal"], object.get("periodic", ()))
-
-    def save(self, path: Union[str, os.PathLike[str]]) -> None:
-        """Writes to_json() and a line break into a file."""
-        with open(path, "w", encoding="utf-8") as file:
-            file.write(self.to_json() + "\n")
 
     def scene(self, waypoints: Sequence[Mapping[str, float]]) -> Scene:
         """An ordinary scene in which the bodies go along waypoints, one unit of time from each to the next: what check()

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, Optional, Union
 
 from . import _taut2d, pictures
 from ._numbers import number, time_span
+from ._text_form import TextForm
 from .answers import Answer, Contact
 from .errors import InputError
 from .motions import (CsvKeyframes, Free, Keyframes, Motion, Pieces, Polynomial, Revolute, Slide, Sweep, Velocity,
@@ -109,7 +110,7 @@ def _body_from_json(value: dict[str, Any]) -> Body:
 
 
 @dataclass(frozen=True)
-class Scene:
+class Scene(TextForm):
     """Bodies and a closed time interval: when do two of the bodies first touch?
 
     ``bodies``: one or more Body.
@@ -173,36 +174,12 @@ class Scene:
             raise InputError("id", str(error), "an id is a JSON value: a string, a number, a list, a dict") from error
 
     @classmethod
-    def from_json(cls, text: str, *, folder: Union[str, os.PathLike[str]] = ".") -> Scene:
-        """The scene that a JSON text in the format taut-scene/1 describes; files that it names are looked up in
-        ``folder``. Raises InputError with line and column if it is not such a text."""
-        return cls._read(text, "scene", folder)
-
-    @classmethod
-    def load(cls, path: Union[str, os.PathLike[str]]) -> Scene:
-        """Reads a scene file. Files that it names are found relative to its folder. Raises InputError with line and
-        column if it is not right, and OSError if it cannot be read."""
-        path = os.fspath(path)
-        with open(path, "rb") as file:
-            data = file.read()
-        try:
-            text = data.decode("utf-8")
-        except UnicodeDecodeError as error:
-            raise InputError(path, "the file is not UTF-8") from error
-        return cls._read(text, path, os.path.dirname(path) or os.curdir)
-
-    @classmethod
     def _read(cls, text: str, name: str, folder: Union[str, os.PathLike[str]]) -> Scene:
         # The library knows the format, and says what is wrong; after that, there is nothing left to doubt here.
         _taut2d.read(_scene_text(text, name, folder))
         object = json.loads(text)
         return cls([_body_from_json(body) for body in object["bodies"]], object["time"], object.get("ignore", ()),
                    object.get("id"), folder, object.get("at_rest", "skip"), object.get("mechanism"))
-
-    def save(self, path: Union[str, os.PathLike[str]]) -> None:
-        """Writes to_json() and a line break into a file. Paths of files that bodies name stay as they are."""
-        with open(path, "w", encoding="utf-8") as file:
-            file.write(self.to_json() + "\n")
 
     def with_motion(self, name: str, motion: Optional[Motion]) -> Scene:
         """The same scene, in which one body moves in another way. Raises InputError if there is no such body."""

@@ -84,6 +84,16 @@ def test_proofs(taut, tmp_path):
         taut2d.prove_path(problem.linkage)
 
 
+@pytest.mark.parametrize("form", [taut2d.Scene, taut2d.Linkage, taut2d.PathProblem])
+def test_files_that_are_no_text(form, tmp_path):
+    path = tmp_path / "latin.json"
+    path.write_bytes(b'{"format": "taut-scene/1", "id": "\xe9"}')
+    with pytest.raises(taut2d.InputError, match="not UTF-8"):
+        form.load(path)
+    with pytest.raises(OSError):
+        form.load(tmp_path / "missing.json")
+
+
 def test_plot():
     pytest.importorskip("matplotlib").use("Agg")
     reach = taut2d.PathProblem.load(examples / "reach.json")
