@@ -26,12 +26,14 @@ def expect(condition, what):
 vcpkg = json.loads((recipes / "vcpkg/vcpkg.json").read_text())
 conan = (recipes / "conan/conanfile.py").read_text()
 conda = (recipes / "conda/meta.yaml").read_text()
+conda_python = (recipes / "conda-python/meta.yaml").read_text()
 npm = json.loads((recipes / "npm/package.json").read_text())
 port = (recipes / "vcpkg/portfile.cmake").read_text()
 
 expect(vcpkg["version"] == version, f"vcpkg.json is not of version {version}")
 expect(npm["version"] == version, f"package.json is not of version {version}")
-expect(f'set version = "{version}"' in conda, f"meta.yaml is not of version {version}")
+for name, text in (("conda", conda), ("conda-python", conda_python)):
+    expect(f'set version = "{version}"' in text, f"{name}/meta.yaml is not of version {version}")
 fields = {}
 for node in ast.walk(ast.parse(conan)):
     if isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Name) and isinstance(node.value, ast.Constant):
@@ -53,13 +55,16 @@ for name in others:
     in_vcpkg, in_conan, in_conda = wanted[name]
     expect(in_vcpkg in vcpkg["dependencies"], f"vcpkg.json lacks {in_vcpkg}")
     expect(f'requires("{in_conan}' in conan, f"conanfile.py lacks {in_conan}")
-    expect(f"- {in_conda}\n" in conda, f"meta.yaml lacks {in_conda}")
+    for text in (conda, conda_python):
+        expect(f"- {in_conda}\n" in text, f"meta.yaml lacks {in_conda}")
 expect(len(others) == 3, f"the sources include {sorted(others)}")
 for pattern in re.findall(r'"((?:\w+/\*|[A-Z]\w+(?:\.txt)?))"', conan.split("def export_sources")[1].split("def layout")[0]):
     expect((root / pattern.split("/")[0]).exists(), f"conanfile.py names {pattern}")
 
-python = (root / "python/pyproject.toml").read_text()
+python = (root / "pyproject.toml").read_text()
 expect(f'version = "{version}"' in python, f"pyproject.toml is not of version {version}")
+for requirement in re.findall(r'"([^"]+)"', re.search(r"^requires = \[(.*)\]$", python, re.M)[1]):
+    expect(f"- {requirement.replace('>=', ' >=')}\n" in conda_python, f"conda-python/meta.yaml lacks {requirement}")
 expect(any("CLI/" in file.read_text() for file in (root / "apps").rglob("*.?pp")) == ("- cli11\n" in conda),
        "meta.yaml and the programs disagree about CLI11")
 

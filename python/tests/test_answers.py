@@ -332,7 +332,7 @@ taut2d.Scene(scene.bodies, (0, 1), at_rest="ask")  # type: ignore[arg-type]
 taut2d.Simulation(scene).state == "stopped"  # type: ignore[comparison-overlap]
 answer.outcome == "collision"  # type: ignore[comparison-overlap]
 """)
-    run = subprocess.run(["mypy", "--cache-dir", str(tmp_path), "--config-file", str(root / "python/pyproject.toml"),
+    run = subprocess.run(["mypy", "--cache-dir", str(tmp_path), "--config-file", str(root / "pyproject.toml"),
                           str(root / "python/taut2d"), str(user)], stdout=subprocess.PIPE, text=True)
     assert run.returncode == 0, run.stdout
 
