@@ -2,13 +2,26 @@
 // passes: errors are JSON, too.
 #include <emscripten.h>
 
+#include <chrono>
+#include <functional>
 #include <string>
 
 #include "io/json_text.hpp"
 #include "numeric/budget.hpp"
+#include "numeric/progress.hpp"
 #include "taut/ask.hpp"
 #include "taut/error.hpp"
 #include "taut/io.hpp"
+
+/// Calls the module's onProgress: an object of what is known.
+EM_JS(void, taut_progress, (const char* kind, double done, double all, double share, double time), {
+  const progress = {};
+  if (kind) Object.assign(progress, {kind : UTF8ToString(kind), done});
+  if (kind && all > 0) progress.all = all;
+  if (share >= 0) progress.share = share;
+  if (time > -Infinity) progress.time = time;
+  if (Module["onProgress"] && Object.keys(progress).length > 0) Module["onProgress"](progress);
+});
 
 namespace taut::web {
 using namespace internal;
@@ -19,6 +32,34 @@ std::string api_result, proof_log;
 std::string failure(const char* kind, const std::string& place, const std::string& problem, const std::string& hint) {
   return std::string("{\"error\":{\"kind\":\"") + kind + "\",\"place\":" + io::string_text(place) +
          ",\"problem\":" + io::string_text(problem) + ",\"hint\":" + io::string_text(hint) + "}}";
+}
+
+/// While it lives, checkpoints say how far the question is, ten times a second at most.
+class Watch {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  void look() {
+    if (Clock::now() < next_) return;
+    next_ = Clock::now() + std::chrono::milliseconds(100);
+    taut_progress(meter_.kind, static_cast<double>(meter_.done), static_cast<double>(meter_.all), meter_.share,
+                  meter_.time);
+  }
+
+ private:
+  ProgressMeter meter_;
+  ProgressScope scope_{meter_};
+  Clock::time_point next_ = Clock::now() + std::chrono::milliseconds(100);
+  std::function<void()> look_ = [this] { look(); };
+  Budget budget_{look_};
+};
+
+bool watched = false;
+
+Reply watched_reply(const Question& asked, const char* scene) {
+  if (!watched) return ask_about_text(asked, scene);
+  const Watch watch;
+  return ask_about_text(asked, scene);
 }
 
 }  // namespace
@@ -35,7 +76,7 @@ EMSCRIPTEN_KEEPALIVE const char* taut_ask(const char* question, const char* scen
   proof_log.clear();
   try {
     const Question asked{question, options, std::string(log, static_cast<std::size_t>(log_size))};
-    Reply reply = ask_about_text(asked, scene);
+    Reply reply = watched_reply(asked, scene);
     api_result = std::move(reply.json);
     proof_log = std::move(reply.log);
   } catch (const InputError& e) {
@@ -49,6 +90,9 @@ EMSCRIPTEN_KEEPALIVE const char* taut_ask(const char* question, const char* scen
   }
   return api_result.c_str();
 }
+
+/// Whether the next questions say how far they are.
+EMSCRIPTEN_KEEPALIVE void taut_watch(int on) { watched = on != 0; }
 
 /// question_descriptions(), valid until the next call: the package's functions and types are made from it.
 EMSCRIPTEN_KEEPALIVE const char* taut_questions() {

@@ -33,9 +33,13 @@ export function functionsOf(questions) {
     });
     return `export const ${camelCase(name)} = question(${form});`;
   });
-  return ['import { question } from "./question.js";', 'export { TautError } from "./question.js";', ...lines, ""].join(
-    "\n",
-  );
+  return [
+    'import { question } from "./question.js";',
+    'export { TautError } from "./error.js";',
+    'export { setWorkers, stopWorkers } from "./workers.js";',
+    ...lines,
+    "",
+  ].join("\n");
 }
 
 function typeOf(option) {
@@ -50,7 +54,7 @@ function optionsType(question) {
     const otherwise = option.default === undefined ? "" : ` ${option.default} without it.`;
     return `  /** ${option.meaning}${otherwise} */\n  ${camelCase(option.name)}?: ${typeOf(option)};\n`;
   });
-  return `export interface ${capitalized(camelCase(question.name))}Options {\n${members.join("")}}\n`;
+  return `export interface ${capitalized(camelCase(question.name))}Options extends AskOptions {\n${members.join("")}}\n`;
 }
 
 function declaration(question) {

@@ -594,3 +594,41 @@ export interface MechanismAnswer {
   instants?: { t: number; values: [number, number][] }[];
   scope: { time: [number, number] };
 }
+
+/** How far a question is, as far as it is known; which members there are differs from question to question. */
+export interface Progress {
+  /** What is counted, such as "pairs", how many of them are done, and of how many. */
+  kind?: string;
+  done?: number;
+  all?: number;
+  /** The share of the question that is decided, from 0 to 1. */
+  share?: number;
+  /** The scene has been searched up to this instant. */
+  time?: number;
+}
+
+/** How and where a question is answered. */
+export interface AskOptions {
+  /** The question stops when it is aborted, and rejects with its reason. Such a question is answered in a worker. */
+  signal?: AbortSignal;
+  /** Called some ten times a second. Such a question is answered in a worker, and called back on this thread. */
+  onProgress?: (progress: Progress) => void;
+  /**
+   * Whether it is answered in a worker, off this thread, so that several are answered at once. On this thread a signal
+   * is seen only before the work begins. true with a signal or onProgress, false without.
+   */
+  worker?: boolean;
+}
+
+/** The settings of workers, for questions from now on. Ends those that are idle. Throws RangeError for a bad count. */
+export function setWorkers(settings: {
+  /** How many at most; the processors without it. */
+  count?: number | null;
+  /**
+   * Makes a worker that runs the script taut2d/worker: a Worker of the browser, or one of node:worker_threads. Without
+   * it, workers are made from text, which a page's policy may forbid (worker-src blob:).
+   */
+  create?: (() => unknown) | null;
+}): void;
+/** Ends the workers that are idle, which gives their memory back. */
+export function stopWorkers(): void;

@@ -1,67 +1,30 @@
 // The package as users have it: unpacked into a project's node_modules.
 import assert from "node:assert/strict";
 import { execFileSync, spawnSync } from "node:child_process";
-import {
-  existsSync,
-  mkdirSync,
-  mkdtempSync,
-  readFileSync,
-  readdirSync,
-  rmSync,
-  statSync,
-  writeFileSync,
-} from "node:fs";
-import { createRequire } from "node:module";
-import { tmpdir } from "node:os";
+import { existsSync, readFileSync, readdirSync, statSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
-import { after, test } from "node:test";
-import { fileURLToPath, pathToFileURL } from "node:url";
+import { test } from "node:test";
 
-const root = join(dirname(fileURLToPath(import.meta.url)), "../../..");
-const tools = createRequire(join(root, "web/package.json"));
-const folder = mkdtempSync(join(tmpdir(), "taut-npm-"));
-after(() => rmSync(folder, { recursive: true }));
-
-const [archive] = readdirSync(join(root, "build")).filter((name) => /^taut2d-.*\.tgz$/.test(name));
-const installed = join(folder, "node_modules/taut2d");
-mkdirSync(installed, { recursive: true });
-execFileSync("tar", ["-xzf", join(root, "build", archive), "-C", installed, "--strip-components=1"]);
-writeFileSync(join(folder, "package.json"), "{}");
-
-const hammer = (motion) => ({
-  format: "taut-scene/1",
-  time: [0, 10],
-  bodies: [
-    {
-      name: "anvil",
-      polygon: [
-        [0, 0],
-        [4, 0],
-        [4, 1],
-        [0, 1],
-      ],
-    },
-    {
-      name: "hammer",
-      polygon: [
-        [1, 5],
-        [3, 5],
-        [2, 6],
-      ],
-      motion,
-    },
-  ],
-});
-const falls = hammer({ velocity: [0, -0.5] });
+import {
+  archive,
+  bundled,
+  falls,
+  folder,
+  globalScript,
+  hammer,
+  installed,
+  pageOf,
+  printed,
+  root,
+  script,
+  taut,
+  titleOf,
+  tools,
+} from "./project.mjs";
 
 /** Runs a program in the project, which prints JSON. */
-function run(name, text) {
-  writeFileSync(join(folder, name), text);
-  return JSON.parse(execFileSync(process.execPath, [join(folder, name)], { cwd: folder, encoding: "utf8" }));
-}
+const run = (name, text) => JSON.parse(printed(name, text));
 const program = (load) => `${load}; check(${JSON.stringify(falls)}).then((a) => console.log(JSON.stringify(a)));`;
-
-const taut = await import(pathToFileURL(join(installed, "dist/taut.js")).href);
 
 test("check() says when, with a scene as an object and as text", async () => {
   for (const scene of [falls, JSON.stringify(falls)]) {
@@ -159,21 +122,12 @@ test("what is wrong is said with place and remedy", async () => {
 test("it is imported, required and bundled", async () => {
   assert.equal(run("a.mjs", program('import { check } from "taut2d"')).outcome, "contact");
   assert.equal(run("b.cjs", program('const { check } = require("taut2d")')).outcome, "contact");
-  writeFileSync(join(folder, "entry.mjs"), program('import { check } from "taut2d"'));
-  await tools("esbuild").build({
-    entryPoints: [join(folder, "entry.mjs")],
-    bundle: true,
-    outfile: join(folder, "bundled.js"),
-    format: "iife",
-    platform: "browser",
-    logLevel: "warning",
-  });
-  assert.equal(run("c.cjs", readFileSync(join(folder, "bundled.js"), "utf8")).outcome, "contact");
+  assert.equal(run("c.cjs", await bundled(program('import { check } from "taut2d"'))).outcome, "contact");
 });
 
 test("it is as large as its page says", () => {
   const said = Number(/Packed size: ([\d.]+) MB/.exec(readFileSync(join(installed, "README.md"), "utf8"))[1]);
-  const size = statSync(join(root, "build", archive)).size / 1e6;
+  const size = statSync(archive).size / 1e6;
   assert.ok(Math.abs(size - said) <= 0.1, `${size} MB`);
 });
 
@@ -182,13 +136,24 @@ function compiled(name, text) {
   writeFileSync(join(folder, name), text);
   writeFileSync(join(folder, "package.json"), '{"type":"module"}');
   const tsc = join(dirname(tools.resolve("typescript/package.json")), "bin/tsc");
-  const args = ["--noEmit", "--strict", "--target", "es2022", "--module", "nodenext", "--moduleResolution", "nodenext"];
+  const args = [
+    "--noEmit",
+    "--strict",
+    "--target",
+    "es2022",
+    "--lib",
+    "es2022,dom",
+    "--module",
+    "nodenext",
+    "--moduleResolution",
+    "nodenext",
+  ];
   const { stdout } = spawnSync(process.execPath, [tsc, ...args, join(folder, name)], { encoding: "utf8" });
   return stdout;
 }
 
 test("its types are those that it has", () => {
-  const text = `import { check, prove, verify, clearance, intervals, range, checkClearance, distanceProfile, separate, TautError, type Answer, type Scene } from "taut2d";
+  const text = `import { check, prove, verify, clearance, intervals, range, checkClearance, distanceProfile, separate, setWorkers, stopWorkers, TautError, type Answer, type Scene } from "taut2d";
 const scene: Scene = { format: "taut-scene/1", time: [0, 1], bodies: [{ name: "a", polygon: [[0, 0], [1, 0], [0, 1]] }] };
 const answer: Answer = await check(scene, { touch: "closed", maxSeconds: 1 });
 if (answer.outcome === "contact") console.log(answer.t[0], answer.contact.point[0], answer.coverage.tested);
@@ -205,6 +170,11 @@ await separate(scene, { travel: 3 });
 const constant = { format: "taut-scene/1", time: [0, 1], bodies: [{ name: "a", parts: [{ path: "M0 0H1V1Z" }] }] } as const;
 await check(constant);
 console.log(new TautError instanceof Error);
+await check(scene, { signal: AbortSignal.timeout(9), worker: true, onProgress: ({ share }) => share?.toFixed() });
+setWorkers({ count: 2, create: () => undefined });
+stopWorkers();
+// @ts-expect-error no signal
+await check(scene, { signal: 1 });
 // @ts-expect-error an unknown word
 await check(scene, { touch: "ajar" });
 // @ts-expect-error an answer has no such member
@@ -260,12 +230,7 @@ async function answersAbout(scene) {
   const out = [];
   const add = async (type, work) => out.push([type, await work]);
   const [start] = scene.time;
-  for (const options of [
-    { pairs: "all" },
-    { touch: "closed" },
-    { engine: "kinetic", maxEvents: 1 },
-    { maxSeconds: 0 },
-  ])
+  for (const options of [{ pairs: "all" }, { touch: "closed" }, { engine: "kinetic", maxEvents: 1 }, { maxSeconds: 0 }])
     await add("Answer", taut.check(scene, { maxSeconds: 5, ...options }));
   const { answer, log } = await taut.prove(scene, { maxSeconds: 5 });
   out.push(["Answer", answer]);
@@ -343,21 +308,7 @@ test(
   "it works in a page by a script tag",
   { skip: !existsSync("/usr/bin/chromium") && "no Chromium here" },
   async () => {
-    const page = `<script>${readFileSync(join(installed, "dist/taut.global.js"), "utf8").replaceAll("</script", "<\\/script")}</script>
-<script>taut.check(${JSON.stringify(falls)}).then((a) => (document.title = a.outcome), (e) => (document.title = String(e)));</script>`;
-    writeFileSync(join(folder, "page.html"), page);
-    const { chromium } = tools("playwright-core");
-    const browser = await chromium.launch({
-      executablePath: "/usr/bin/chromium",
-      args: ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking"],
-    });
-    try {
-      const tab = await browser.newPage();
-      await tab.goto(pathToFileURL(join(folder, "page.html")).href);
-      await tab.waitForFunction("document.title !== ''", undefined, { timeout: 60000 });
-      assert.equal(await tab.title(), "contact");
-    } finally {
-      await browser.close();
-    }
+    const ask = `taut.check(${JSON.stringify(falls)}).then((a) => (document.title = a.outcome), (e) => (document.title = String(e)));`;
+    assert.equal(await titleOf(pageOf("page.html", globalScript() + script(ask))), "contact");
   },
 );
