@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 
+#include "ask/scene_pictures.hpp"
 #include "commands.hpp"
 #include "demo_scenes.hpp"
 #include "generators/generators.hpp"
@@ -17,7 +18,6 @@
 #include "taut/io.hpp"
 #include "terminal.hpp"
 #include "viewer_page.hpp"
-#include "world_pictures.hpp"
 
 namespace taut::cli {
 using namespace internal;

@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 
+#include "ask/scene_pictures.hpp"
 #include "commands.hpp"
 #include "io/terminal_text.hpp"
 #include "scene/validate_scene.hpp"
@@ -11,7 +12,6 @@
 #include "taut/io.hpp"
 #include "taut/simulation.hpp"
 #include "watched_run.hpp"
-#include "world_pictures.hpp"
 
 namespace taut::cli {
 using namespace internal;

@@ -5,6 +5,7 @@
 #include "scene_argument.hpp"
 #include "taut/error.hpp"
 #include "taut/io.hpp"
+#include "taut/outline.hpp"
 #include "watched_run.hpp"
 
 namespace taut::cli {
@@ -18,29 +19,14 @@ struct FlattenArguments {
   std::string output;
 };
 
-/// The body with polygons for its curves.
-Body flattened(const Body& body, CurveSide side, double tolerance) {
-  Body flat = body;
-  if (body.curves.empty()) return flat;
-  flat.curves.clear();
-  flat.parts = flatten(body.curves, side, tolerance, body.name);
-  if (flat.parts.size() > 1 || !flat.parts[0].holes.empty()) return flat;
-  flat.polygon = std::move(flat.parts[0].outline);
-  flat.parts.clear();
-  return flat;
-}
-
 int run_flatten(const FlattenArguments& arguments) {
   if (arguments.inner == arguments.outer)
     throw InputError("", "the side of the curves is missing",
                      "write --outer for polygons around the bodies, or --inner for polygons within them");
-  Scene scene = load_scene(arguments.scene);
-  within_file(arguments.scene.path, [&] {
-    for (Body& body : scene.bodies)
-      body = flattened(body, arguments.inner ? CurveSide::inner : CurveSide::outer, arguments.tolerance);
-    return true;
-  });
-  write_output(arguments.output, write_scene(scene));
+  const Scene scene = load_scene(arguments.scene);
+  const CurveSide side = arguments.inner ? CurveSide::inner : CurveSide::outer;
+  write_output(arguments.output, write_scene(within_file(arguments.scene.path,
+                                                         [&] { return flatten(scene, side, arguments.tolerance); })));
   return exit_free;
 }
 

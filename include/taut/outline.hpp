@@ -11,6 +11,8 @@
 
 namespace taut {
 
+struct Scene;
+
 /// A straight line to a point.
 struct LineTo {
   Point to;
@@ -86,5 +88,9 @@ enum class CurveSide {
 /// are not valid, or `tolerance` is less than 2^-40 of the largest coordinate.
 std::vector<Part> flatten(const std::vector<CurvedPart>& parts, CurveSide side, double tolerance,
                           const std::string& name = "outline");
+
+/// The scene with such polygons in place of the curves of its bodies; bodies without curves stay as they are. Throws
+/// InputError as flatten() of parts does, for a body by its name.
+Scene flatten(const Scene& scene, CurveSide side, double tolerance);
 
 }  // namespace taut

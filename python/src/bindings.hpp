@@ -10,7 +10,6 @@ void bind_shapes(pybind11::module_& module);
 void bind_many(pybind11::module_& module);
 void bind_maps(pybind11::module_& module);
 void bind_simulations(pybind11::module_& module);
-void bind_cells(pybind11::module_& module);
 void bind_drawings(pybind11::module_& module);
 void bind_flatten(pybind11::module_& module);
 void bind_pictures(pybind11::module_& module);

@@ -12,11 +12,11 @@
 #include <variant>
 #include <vector>
 
+#include "ask/map_answer.hpp"
 #include "attended.hpp"
 #include "bindings.hpp"
 #include "buffers.hpp"
 #include "each_row.hpp"
-#include "map_answer.hpp"
 #include "numeric/budget.hpp"
 #include "scene_text.hpp"
 #include "taut/motions.hpp"
@@ -53,13 +53,14 @@ MapMover mover_of(const taut::StaticMap& map, const SceneText& text) {
 /// `text` is a scene of one body, which has the motion, on the time that is asked about.
 py::tuple check_on_map(const taut::StaticMap& map, const MapMover& mover, const SceneText& text,
                        const RunOptions& options) {
+  using taut::internal::MapAnswerText;
   const MapAnswerText found = attended<MapAnswerText>([&](const std::atomic<bool>& stop) {
     const taut::CheckOptions how = check_options(options, stop);
     taut::Scene asked = text.read();
     taut::Body body = mover.body;
     body.motion = std::move(asked.bodies.at(0).motion);
     const taut::Answer answer = map.check(mover.mover, body.motion, asked.start, asked.end, how);
-    return map_answer_text(map, body, asked.start, asked.end, answer, how.touch);
+    return taut::internal::map_answer_text(map, body, asked.start, asked.end, answer, how.touch);
   });
   return py::make_tuple(found.before, found.after);
 }

@@ -12,7 +12,6 @@ PYBIND11_MODULE(_taut2d, module) {
   taut_python::bind_many(module);
   taut_python::bind_maps(module);
   taut_python::bind_simulations(module);
-  taut_python::bind_cells(module);
   taut_python::bind_drawings(module);
   taut_python::bind_flatten(module);
   taut_python::bind_pictures(module);

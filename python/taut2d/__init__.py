@@ -57,6 +57,7 @@ from .regions import SweptRegion, swept
 from .scene import Body, Scene
 from .shape import Shape
 from .simulations import ContactMotion, SimulatedContact, Simulation, Tiling, TilingEdge, TilingFace
+from .svg import draw
 from .sweeps import SweepAnswers, sweep
 from .variants import KeyframeRows, VelocityRows
 from .viewer import Viewer
@@ -69,7 +70,7 @@ __all__ = [
     "Orbit", "Outcome", "PairAnswer", "Part", "Path", "Pieces", "Polynomial", "Pose", "Proof", "ProvedCloseness",
     "Repair", "Revolute", "Scene", "Shape", "SimulatedContact", "Simulation", "Skipped", "Slide", "StaticMap", "Sweep", "SweepAnswers", "SweptRegion",
     "TautError", "Tiling", "TilingEdge", "TilingFace", "Turn", "UndecidedError", "Velocity", "VelocityRows",
-    "Verified", "VertexRef", "Viewer", "WktFile", "answer_dtype", "cells", "check", "check_many", "flatten",
+    "Verified", "VertexRef", "Viewer", "WktFile", "answer_dtype", "cells", "check", "check_many", "draw", "flatten",
     "prove", "read_drawing", "sweep", "swept", "verify",
 ]
 __all__ += directions.__all__

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import json
 from dataclasses import dataclass, field
-from typing import Any, Sequence, Tuple
+from typing import Any, Optional, Sequence, Tuple
 
-from . import _taut2d
-from ._numbers import number, point
-from .options import scene_text
+from ._numbers import point
+from .options import ask, scene_text
 from .scene import Scene, _plain_places
 
 
@@ -42,17 +41,19 @@ class Cells:
         return out, (int(low[0]), int(low[1]))
 
 
-def cells(scene: Scene, body: str, resolution: float, *, origin: Sequence[float] = (0.0, 0.0)) -> Cells:
+def cells(scene: Scene, body: str, resolution: float, *, origin: Sequence[float] = (0.0, 0.0),
+          max_seconds: Optional[float] = None) -> Cells:
     """All cells that a body, its boundary included, touches at any instant of the scene's time: none is missing,
     whatever happens between poses, and none is always more than a sixteenth of a cell away from the body.
 
     ``body``: its name. ``resolution``: the side of a cell. ``origin``: the lower left corner of cell (0, 0). Other
-    bodies do not matter. Of a body with curves, flatten() makes polygons first. InputError if the scene is not valid,
-    if there is no such body, or if cells are so small that doubles do not tell sixteenths of them.
+    bodies do not matter. Of a body with curves, flatten() makes polygons first. ``max_seconds``: UndecidedError after so much
+    wall time. InputError if the scene is not valid, if there is no such body, or if cells are so small that doubles do not tell sixteenths of them.
     """
     x, y = point(origin, "origin")
     with _plain_places():
-        text = _taut2d.cells(scene_text(scene), body, number(resolution, "resolution"), x, y)
+        text, _, _ = ask("cells", scene_text(scene), body=body, resolution=resolution, origin_x=x, origin_y=y,
+                         max_seconds=max_seconds)
     value = json.loads(text)
     found = tuple((cell[0], cell[1]) for cell in value["cells"])
     return Cells(value["body"], float(value["resolution"]), (float(value["origin"][0]), float(value["origin"][1])),

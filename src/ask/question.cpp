@@ -161,4 +161,13 @@ CheckOptions GivenOptions::check() const {
   return options;
 }
 
+BodyId body_called(const Scene& scene, const std::string& name) {
+  const auto found =
+      std::find_if(scene.bodies.begin(), scene.bodies.end(), [&](const Body& body) { return body.name == name; });
+  if (found != scene.bodies.end()) return static_cast<BodyId>(found - scene.bodies.begin());
+  std::string names;
+  for (const Body& body : scene.bodies) names += (names.empty() ? "" : ", ") + body.name;
+  throw InputError("body", "there is no body " + io::string_text(name), "the scene has " + names);
+}
+
 }  // namespace taut::internal

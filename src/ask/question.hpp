@@ -114,6 +114,9 @@ class GivenOptions {
 /// What `check` returns about the question's log; or why the log proves nothing.
 Reply verified(const std::function<std::string(std::istream&)>& check, const GivenOptions& given);
 
+/// The body of that name, which an option called "body" gives. Throws InputError if there is none.
+BodyId body_called(const Scene& scene, const std::string& name);
+
 /// The questions of a file each, in the order of the documentation.
 std::vector<QuestionEntry> contact_questions();
 std::vector<QuestionEntry> distance_questions();
@@ -124,5 +127,8 @@ std::vector<QuestionEntry> proof_questions();
 std::vector<QuestionEntry> envelope_questions();
 std::vector<QuestionEntry> path_questions();
 std::vector<QuestionEntry> swept_questions();
+std::vector<QuestionEntry> cells_questions();
+std::vector<QuestionEntry> flatten_questions();
+std::vector<QuestionEntry> draw_questions();
 
 }  // namespace taut::internal

@@ -1,22 +1,9 @@
 // The question about the region that a body passes over, as text.
-#include <algorithm>
-
 #include "ask/question.hpp"
-#include "io/json_text.hpp"
-#include "taut/error.hpp"
 #include "taut/swept.hpp"
 
 namespace taut::internal {
 namespace {
-
-BodyId body_called(const Scene& scene, const std::string& name) {
-  const auto found =
-      std::find_if(scene.bodies.begin(), scene.bodies.end(), [&](const Body& body) { return body.name == name; });
-  if (found != scene.bodies.end()) return static_cast<BodyId>(found - scene.bodies.begin());
-  std::string names;
-  for (const Body& body : scene.bodies) names += (names.empty() ? "" : ", ") + body.name;
-  throw InputError("body", "there is no body " + io::string_text(name), "the scene has " + names);
-}
 
 Reply ask_swept(const Scene& scene, const GivenOptions& given) {
   const BodyId body = body_called(scene, given.text("body"));

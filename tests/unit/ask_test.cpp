@@ -4,14 +4,17 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 
+#include "taut/cells.hpp"
 #include "taut/clearance.hpp"
 #include "taut/error.hpp"
 #include "taut/intervals.hpp"
 #include "taut/io.hpp"
+#include "taut/outline.hpp"
 #include "taut/proof.hpp"
 #include "taut/separate.hpp"
 
@@ -47,6 +50,33 @@ TEST(Ask, AnswersAsTheFunctions) {
   SeparateOptions near;
   near.travel = 2;
   EXPECT_EQ(json_of("separate", R"({"travel": 2})"), separation_json(scene, separate(scene, near)));
+}
+
+TEST(Ask, FindsCells) {
+  const Scene scene = falling_hammer();
+  CellOptions options;
+  options.resolution = 0.5;
+  options.origin = {0.25, 0};
+  EXPECT_EQ(json_of("cells", R"({"body": "hammer", "resolution": 0.5, "origin_x": 0.25})"),
+            cells_json(scene, 1, cells(scene, 1, options)));
+}
+
+TEST(Ask, Flattens) {
+  const Scene scene = parse_scene(R"({"format": "taut-scene/1", "time": [0, 1], "bodies": [
+    {"name": "plate", "polygon": [[5, 5], [6, 5], [5, 6]]},
+    {"name": "disc", "parts": [{"path": "M1 0 A1 1 0 0 1 -1 0 A1 1 0 0 1 1 0 Z", "z": [1, 2]}]}]})");
+  for (const auto& [side, word] : {std::pair{CurveSide::outer, "outer"}, std::pair{CurveSide::inner, "inner"}}) {
+    const std::string options = std::string(R"({"tolerance": 0.01, "side": ")") + word + "\"}";
+    const Scene flat = parse_scene(ask({.name = "flatten", .options = options}, scene).json);
+    EXPECT_EQ(flat.bodies[0].polygon.size(), 3u);
+    ASSERT_EQ(flat.bodies[1].parts.size(), 1u);
+    const Part& disc = flat.bodies[1].parts[0];
+    EXPECT_TRUE(disc.z && disc.z->lo == 1 && disc.z->hi == 2);
+    for (const Point& p : disc.outline) {
+      const double away = std::hypot(p.x, p.y) - 1;
+      EXPECT_TRUE(side == CurveSide::outer ? away > -1e-15 && away < 0.02 : away < 1e-15 && away > -0.02) << away;
+    }
+  }
 }
 
 TEST(Ask, ProvesExactly) {
@@ -137,7 +167,7 @@ std::pair<std::string, std::string> values_of(const nlohmann::json& option) {
   if (type == "flag") return {"true", "7"};
   // A text is a body's name.
   if (type == "text") return {R"("hammer")", "7"};
-  return {type == "number" ? "0.125" : "5", "true"};
+  return {type == "number" ? "0.125" : "300", "true"};
 }
 
 TEST(Ask, DescribesTheOptionsThatQuestionsTake) {

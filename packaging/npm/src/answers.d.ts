@@ -632,3 +632,17 @@ export function setWorkers(settings: {
 }): void;
 /** Ends the workers that are idle, which gives their memory back. */
 export function stopWorkers(): void;
+
+/** A picture. */
+export interface Drawn {
+  svg: string;
+}
+
+/** Cell [i, j] is the square from origin + resolution [i, j] to origin + resolution [i + 1, j + 1]. */
+export interface CellsAnswer {
+  body: string;
+  resolution: number;
+  origin: [number, number];
+  lock?: Lock;
+  cells: [number, number][];
+}

@@ -5,7 +5,7 @@
 
 #include "taut/static_map.hpp"
 
-namespace taut_python {
+namespace taut::internal {
 
 /// The JSON of an answer about the scene of the map's bodies and the mover, cut where its scope names all bodies: what
 /// is before the names, and after them. Only the bodies that the answer speaks of are looked at.
@@ -14,7 +14,7 @@ struct MapAnswerText {
 };
 
 /// `mover` has the motion that was asked about.
-MapAnswerText map_answer_text(const taut::StaticMap& map, const taut::Body& mover, double start, double end,
-                              taut::Answer answer, taut::Touch touch);
+MapAnswerText map_answer_text(const StaticMap& map, const Body& mover, double start, double end, Answer answer,
+                              Touch touch);
 
-}  // namespace taut_python
+}  // namespace taut::internal

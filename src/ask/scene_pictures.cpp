@@ -1,17 +1,14 @@
-#include "world_pictures.hpp"
+#include "ask/scene_pictures.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "report.hpp"
 #include "scene/curved_world.hpp"
 #include "scene/untested.hpp"
 #include "taut/motions.hpp"
 
-namespace taut::cli {
-using namespace internal;
-
+namespace taut::internal {
 namespace {
 
 /// Larger files are slow to load where pages show them as images.
@@ -104,4 +101,4 @@ std::string world_note(const Scene& scene, const Answer& answer, std::optional<d
   return "";
 }
 
-}  // namespace taut::cli
+}  // namespace taut::internal

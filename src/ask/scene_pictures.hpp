@@ -7,7 +7,7 @@
 #include "taut/check.hpp"
 #include "taut/io.hpp"
 
-namespace taut::cli {
+namespace taut::internal {
 
 /// Are the tilings of near pairs drawn, and of bodies displaced which way?
 struct DrawnTilings {
@@ -28,4 +28,4 @@ std::string world_animation(const Scene& scene, const DrawnTilings& how, Animate
 /// What the picture does not show of the time that was asked for, for standard error; empty if it shows all.
 std::string world_note(const Scene& scene, const Answer& answer, std::optional<double> at);
 
-}  // namespace taut::cli
+}  // namespace taut::internal
