@@ -1,17 +1,14 @@
-// What the npm package calls: a question about a scene, as JSON text in and out, and proof logs as bytes. No exception
-// passes: errors are JSON, too.
+// What the npm package calls: a question about a scene, as JSON text in and out, and proof logs as bytes.
 #include <emscripten.h>
 
 #include <chrono>
 #include <functional>
 #include <string>
 
-#include "io/json_text.hpp"
 #include "numeric/budget.hpp"
 #include "numeric/progress.hpp"
+#include "replies.hpp"
 #include "taut/ask.hpp"
-#include "taut/error.hpp"
-#include "taut/io.hpp"
 
 /// Calls the module's onProgress: an object of what is known.
 EM_JS(void, taut_progress, (const char* kind, double done, double all, double share, double time), {
@@ -27,12 +24,7 @@ namespace taut::web {
 using namespace internal;
 namespace {
 
-std::string api_result, proof_log;
-
-std::string failure(const char* kind, const std::string& place, const std::string& problem, const std::string& hint) {
-  return std::string("{\"error\":{\"kind\":\"") + kind + "\",\"place\":" + io::string_text(place) +
-         ",\"problem\":" + io::string_text(problem) + ",\"hint\":" + io::string_text(hint) + "}}";
-}
+std::string proof_log;
 
 /// While it lives, checkpoints say how far the question is, ten times a second at most.
 class Watch {
@@ -74,31 +66,19 @@ extern "C" {
 EMSCRIPTEN_KEEPALIVE const char* taut_ask(const char* question, const char* scene, const char* options, const char* log,
                                           int log_size) {
   proof_log.clear();
-  try {
+  return replied([&] {
     const Question asked{question, options, std::string(log, static_cast<std::size_t>(log_size))};
     Reply reply = watched_reply(asked, scene);
-    api_result = std::move(reply.json);
     proof_log = std::move(reply.log);
-  } catch (const InputError& e) {
-    api_result = failure("input", e.place(), e.problem(), e.hint());
-  } catch (const UndecidedError& e) {
-    api_result = failure("undecided", "", e.what(), "");
-  } catch (const Interrupted& e) {
-    api_result = failure("undecided", "", e.reason, "");
-  } catch (const std::exception& e) {
-    api_result = failure("internal", "", e.what(), "this is a defect of taut: please report it, with the scene");
-  }
-  return api_result.c_str();
+    return reply.json;
+  });
 }
 
 /// Whether the next questions say how far they are.
 EMSCRIPTEN_KEEPALIVE void taut_watch(int on) { watched = on != 0; }
 
 /// question_descriptions(), valid until the next call: the package's functions and types are made from it.
-EMSCRIPTEN_KEEPALIVE const char* taut_questions() {
-  api_result = question_descriptions();
-  return api_result.c_str();
-}
+EMSCRIPTEN_KEEPALIVE const char* taut_questions() { return kept(question_descriptions()); }
 
 /// The log of the last question, if that writes one.
 EMSCRIPTEN_KEEPALIVE const char* taut_log() { return proof_log.data(); }

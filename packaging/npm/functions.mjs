@@ -36,6 +36,9 @@ export function functionsOf(questions) {
   return [
     'import { question } from "./question.js";',
     'export { TautError } from "./error.js";',
+    'export { readDrawing } from "./drawing.js";',
+    'export { StaticMap } from "./map.js";',
+    'export { Simulation } from "./simulation.js";',
     'export { setWorkers, stopWorkers } from "./workers.js";',
     ...lines,
     "",

@@ -24,17 +24,17 @@ export function readOut(module, at) {
 }
 
 /**
- * Calls the exported function `name` with texts, and with bytes and their number: `{ text, bytes }`, where bytes are
- * what the call left besides its text.
+ * Calls the exported function `name` with texts, with bytes and their number, and with numbers: `{ text, bytes }`, where
+ * bytes are what the call left besides its text.
  */
-export function call(module, { name, texts, bytes, watched = false }) {
+export function call(module, { name, texts, bytes, numbers = [], watched = false }) {
   const held = [];
   const hold = (array) => held[held.push(copyIn(module, array)) - 1];
   try {
     const given = texts.map((text) => hold(new TextEncoder().encode(text)));
     if (bytes) given.push(hold(bytes), bytes.length);
     module._taut_watch(watched ? 1 : 0);
-    const text = readOut(module, module[`_${name}`](...given));
+    const text = readOut(module, module[`_${name}`](...given, ...numbers));
     const at = module._taut_log();
     return { text, bytes: module.HEAPU8.slice(at, at + module._taut_log_size()) };
   } finally {

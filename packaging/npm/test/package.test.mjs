@@ -153,7 +153,7 @@ function compiled(name, text) {
 }
 
 test("its types are those that it has", () => {
-  const text = `import { check, prove, verify, clearance, intervals, range, checkClearance, distanceProfile, separate, setWorkers, stopWorkers, TautError, type Answer, type Scene } from "taut2d";
+  const text = `import { check, prove, verify, clearance, intervals, range, checkClearance, distanceProfile, separate, Simulation, StaticMap, draw, cells, flatten, readDrawing, setWorkers, stopWorkers, TautError, type Answer, type Scene } from "taut2d";
 const scene: Scene = { format: "taut-scene/1", time: [0, 1], bodies: [{ name: "a", polygon: [[0, 0], [1, 0], [0, 1]] }] };
 const answer: Answer = await check(scene, { touch: "closed", maxSeconds: 1 });
 if (answer.outcome === "contact") console.log(answer.t[0], answer.contact.point[0], answer.coverage.tested);
@@ -170,6 +170,14 @@ await separate(scene, { travel: 3 });
 const constant = { format: "taut-scene/1", time: [0, 1], bodies: [{ name: "a", parts: [{ path: "M0 0H1V1Z" }] }] } as const;
 await check(constant);
 console.log(new TautError instanceof Error);
+const simulation = await Simulation.create(scene, { record: true, maxSeconds: 1 });
+if (simulation.advanceTo(1) === "contact") simulation.setMotion("a", { velocity: [1, 0] });
+const town = await StaticMap.create([{ name: "a", polygon: [[0, 0], [1, 0], [0, 1]] }]);
+console.log(town.check(town.prepare({ name: "b", polygon: [[2, 0], [3, 0], [2, 1]] }), null, [0, 1]).outcome);
+console.log((await draw(scene, { at: 1 })).svg, (await cells(scene, "a", 1)).cells[0]?.[0], (await flatten(scene, 1)).bodies);
+console.log((await readDrawing("", "a.svg", { open: "close" })).scene?.bodies.length);
+// @ts-expect-error made by create()
+new Simulation();
 await check(scene, { signal: AbortSignal.timeout(9), worker: true, onProgress: ({ share }) => share?.toFixed() });
 setWorkers({ count: 2, create: () => undefined });
 stopWorkers();
@@ -267,6 +275,23 @@ test("its types have all members of scenes and answers, and answers have all tha
   const piano = readFileSync(join(root, "examples/paths/piano.json"), "utf8");
   for (const cells of [false, true]) constants.push(["PathAnswer", "piano", await taut.path(piano, { cells })]);
   constants.push(["PathAnswer", "coarse", await taut.path(piano, { tolerance: 1 })]);
+  constants.push(["CellsAnswer", "falls", await taut.cells(falls, "hammer", 1)]);
+  constants.push(["SweptRegion", "falls", await taut.swept(falls, "hammer")]);
+  constants.push(["SceneObject", "falls", await taut.flatten(falls, 1)]);
+  constants.push(["Drawn", "falls", await taut.draw(falls, { at: 1 })]);
+  constants.push(["ReadDrawing", "square", await taut.readDrawing("POLYGON((0 0, 1 0, 0 1, 0 0))", "square.wkt")]);
+  const press = readFileSync(join(root, "examples/mechanisms/toggle_press.json"), "utf8");
+  constants.push(["MechanismAnswer", "press", await taut.mechanism(press, { instants: 2 })]);
+  const simulation = await taut.Simulation.create(falls);
+  constants.push(["Tiling", "falls", simulation.tiling()]);
+  simulation.advanceTo(10);
+  for (const [type, name] of [
+    ["TimedContact", "contact"],
+    ["Pair", "pair"],
+    ["Coverage", "coverage"],
+  ])
+    constants.push([type, name, simulation[name]]);
+  constants.push(["ContactMotion", "falls", simulation.relativeVelocity()]);
   const outcomes = new Set();
   for (const [name, scene] of scenes.filter(([n]) => asked.test(n))) {
     for (const [type, answer] of await answersAbout(scene)) {
