@@ -95,10 +95,10 @@ def schema():
 
 
 def docstring(node, title, level):
-    """The docstring of a class or a function below a heading with its signature; nothing if it has none."""
+    """The docstring of a class or a function below a heading with its signature, and those of a class's public members."""
     text = ast.get_docstring(node)
     if not text:
-        return ""
+        sys.exit("build_site: %s has no docstring, which is its page in the reference" % title)
     if isinstance(node, ast.ClassDef):
         out = "%s class %s\n\n%s\n\n" % ("#" * level, title, text)
         members = [m for m in node.body if isinstance(m, ast.FunctionDef) and not m.name.startswith("_")]
@@ -109,20 +109,35 @@ def docstring(node, title, level):
     return "%s %s\n\n```python\n%s\n```\n\n%s\n\n" % ("#" * level, title, signature, text)
 
 
+def all_of(tree):
+    """The names in __all__ of a module."""
+    return next(ast.literal_eval(node.value) for node in tree.body
+                if isinstance(node, ast.Assign) and getattr(node.targets[0], "id", "") == "__all__")
+
+
 def python_reference():
-    """What taut2d exports, with its docstrings, from the sources: the package need not be built."""
+    """What taut2d exports, with its docstrings, from the sources: the package need not be built. Every public name has one."""
     package = os.path.join(root, "python/taut2d")
-    defined = {}
+    modules = {}
     for name in sorted(os.listdir(package)):
         if name.endswith(".py"):
             with open(os.path.join(package, name)) as file:
-                for node in ast.parse(file.read()).body:
-                    if isinstance(node, (ast.ClassDef, ast.FunctionDef)):
-                        defined.setdefault(node.name, node)
-    with open(os.path.join(package, "__init__.py")) as file:
-        exported = next(ast.literal_eval(node.value) for node in ast.parse(file.read()).body
-                        if isinstance(node, ast.Assign) and node.targets[0].id == "__all__")
-    names = [name for name in exported if name in defined]
+                modules[name[:-3]] = ast.parse(file.read())
+    defined = {}
+    for tree in modules.values():
+        for node in tree.body:
+            if isinstance(node, (ast.ClassDef, ast.FunctionDef)):
+                defined.setdefault(node.name, node)
+    main = modules["__init__"]
+    # range() is no part of `import *`, which must leave Python's own alone.
+    exported = all_of(main) + ["range"]
+    for node in main.body:
+        if isinstance(node, ast.AugAssign):
+            exported += all_of(modules[node.value.value.id])
+    missing = sorted(set(exported) - set(defined))
+    if missing:
+        sys.exit("build_site: taut2d exports what it does not define: " + ", ".join(missing))
+    names = sorted(set(exported), key=str.lower)
     kinds = [("Functions", [n for n in names if isinstance(defined[n], ast.FunctionDef)]),
              ("Classes", [n for n in names if isinstance(defined[n], ast.ClassDef)])]
     text = "# Python reference\n\nEverything that `import taut2d` has. [From Python](python.md) is the guide.\n\n"

@@ -88,23 +88,28 @@ class SimulatedContact:
 
     @property
     def bodies(self) -> tuple[str, str]:
+        """The names of the body of the vertex, and of the body of the edge."""
         vertex, edge = self._core.bodies
         return self._bodies[vertex], self._bodies[edge]
 
     @property
     def indices(self) -> tuple[int, int]:
+        """Of the vertex, and of the edge, in their bodies."""
         return self._core.indices
 
     @property
     def point(self) -> tuple[float, float]:
+        """Where they meet, in the world, rounded."""
         return self._core.point
 
     @property
     def normal(self) -> tuple[float, float]:
+        """The unit normal of the edge, out of its body."""
         return self._core.normal
 
     @property
     def t(self) -> tuple[float, float]:
+        """(lo, hi), which certainly contains the time."""
         return self._core.t
 
 
