@@ -24,7 +24,7 @@ along all motions at once; path() finds a way from a start to a goal, or proves 
 does, too, into files. Shape prepares a shape for many scenes, StaticMap a map for bodies that move in it, and Simulation
 goes from event to event, with plans that may change. cells() lists the cells of a grid that a body touches, and
 swept() is the region that it passes over. flatten()
-makes polygons of curves, and read_drawing() a scene of SVG, DXF and other drawings. Scene.plot() and Scene.animate() draw
+makes polygons of curves, scene_from_frame() and answers_frame() are for tables of GeoPandas and pandas, and read_drawing() a scene of SVG, DXF and other drawings. Scene.plot() and Scene.animate() draw
 by matplotlib, and so do the methods plot() of answers.
 
 Errors are TautError; InputError, with place, problem and hint, is a ValueError as well. Ctrl-C ends every function within
@@ -41,6 +41,7 @@ from .mechanisms import *
 from .drawings import Crossing, Drawing, DrawingBody, DrawingFile, Gap, OpenLine, Repair, Skipped, read_drawing
 from .errors import InputError, InternalError, TautError, UndecidedError
 from .flattening import flatten
+from .frames import answers_frame, scene_from_frame
 from .linkages import *
 from .many import Outcome, answer_dtype, check_many
 from .maps import Mover, StaticMap
@@ -70,8 +71,8 @@ __all__ = [
     "Orbit", "Outcome", "PairAnswer", "Part", "Path", "Pieces", "Polynomial", "Pose", "Proof", "ProvedCloseness",
     "Repair", "Revolute", "Scene", "Shape", "SimulatedContact", "Simulation", "Skipped", "Slide", "StaticMap", "Sweep", "SweepAnswers", "SweptRegion",
     "TautError", "Tiling", "TilingEdge", "TilingFace", "Turn", "UndecidedError", "Velocity", "VelocityRows",
-    "Verified", "VertexRef", "Viewer", "WktFile", "answer_dtype", "cells", "check", "check_many", "draw", "flatten",
-    "prove", "read_drawing", "sweep", "swept", "verify",
+    "Verified", "VertexRef", "Viewer", "WktFile", "answer_dtype", "answers_frame", "cells", "check", "check_many", "draw",
+    "flatten", "prove", "read_drawing", "scene_from_frame", "sweep", "swept", "verify",
 ]
 __all__ += directions.__all__
 __all__ += mechanisms.__all__

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import enum
 import os
-from collections.abc import Iterable, Mapping, Sequence
+import re
+import time
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Optional, Union
 
 from . import _taut2d
@@ -54,18 +56,48 @@ def thread_count(threads: Optional[int]) -> int:
     return threads
 
 
-def answers_to(given: Union[Variants, Scenes], options: _taut2d.RunOptions, threads: int) -> Answers:
+# How many rows of all are done.
+Progress = Callable[[int, int], object]
+
+
+def in_row_from(error: InputError, begin: int) -> InputError:
+    """Rows of a part are counted from its beginning; the user counts all of them."""
+    row = re.match(r"row (\d+)(.*)", error.place, re.DOTALL)
+    return InputError(f"row {begin + int(row[1])}{row[2]}", error.problem, error.hint) if row else error
+
+
+def _in_parts(given: Union[Variants, Scenes], options: _taut2d.RunOptions, threads: int, answers: Answers,
+              progress: Progress) -> None:
+    """Parts that take about a quarter of a second, so that who waits sees how far it is."""
+    begin, size, rows = 0, 8 * threads, len(given)
+    while begin < rows:
+        end, started = min(begin + size, rows), time.monotonic()
+        try:
+            given.part(begin, end).check(options, threads, answers[begin:end])
+        except InputError as error:
+            raise in_row_from(error, begin) from error
+        taken = time.monotonic() - started
+        size = max(8 * threads, int(size * min(4.0, 0.25 / max(taken, 1e-3))))
+        begin = end
+        progress(end, rows)
+
+
+def answers_to(given: Union[Variants, Scenes], options: _taut2d.RunOptions, threads: int,
+               progress: Optional[Progress] = None) -> Answers:
     """Of all rows, in order."""
     answers: Answers = numpy_for("check_many()").zeros(len(given), answer_dtype())
     with _plain_places():
-        given.check(options, threads, answers)
+        if progress is None:
+            given.check(options, threads, answers)
+        else:
+            _in_parts(given, options, threads, answers, progress)
     return answers
 
 
 def check_many(scene: Union[Scene, Iterable[Scene]], motions: Mapping[str, Any] = {}, *,
                shapes: Mapping[str, Sequence[Any]] = {}, times: Any = None, touch: Touch = "open",
                engine: Engine = "usual", threads: Optional[int] = None, max_seconds: Optional[float] = None,
-               max_events: Optional[int] = None) -> Answers:
+               max_events: Optional[int] = None, progress: Optional[Progress] = None) -> Answers:
     """Checks many scenes, on all processors, and gives an array of as many answers: what check() says of each.
 
     ``scene``: one Scene, from which rows differ by the arguments that follow; or any number of them, and none of these
@@ -77,6 +109,8 @@ def check_many(scene: Union[Scene, Iterable[Scene]], motions: Mapping[str, Any] 
     ``threads``: how many; None is one for each processor. The answers are the same for any number.
     ``max_seconds``, ``max_events``: for each row, as in check(); ``touch``, ``engine`` as there. With the engine
     "kinetic", rows that begin near others go on from the tiling of one of these, with the same answers.
+    ``progress``: called as progress(done, rows) on this thread, some four times a second and at the end; what it raises
+    ends the call.
 
     The result is a structured array of answer_dtype(): "outcome" (see Outcome), "t_lo" and "t_hi" (which certainly
     contain the time of the contact), "free_until", "point", "normal", "pair" (the two bodies, by their place in the
@@ -88,4 +122,4 @@ def check_many(scene: Union[Scene, Iterable[Scene]], motions: Mapping[str, Any] 
     Raises InputError as check() does, and names the first row at fault; KeyboardInterrupt on Ctrl-C.
     """
     options = run_options(touch, engine, "first", max_seconds, max_events)
-    return answers_to(asked(scene, motions, shapes, times), options, thread_count(threads))
+    return answers_to(asked(scene, motions, shapes, times), options, thread_count(threads), progress)

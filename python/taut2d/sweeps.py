@@ -5,14 +5,13 @@ from __future__ import annotations
 import concurrent.futures
 import json
 import os
-import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Optional, Union
 
 from ._numbers import numpy_for
 from .errors import InputError
-from .many import Outcome, answer_dtype, answers_to, thread_count
+from .many import Outcome, Progress, answer_dtype, answers_to, in_row_from, thread_count
 from .options import run_options
 from .scene import Scene
 from .variants import Scenes, Variants, asked
@@ -123,17 +122,11 @@ class _Options:
         try:
             return answers_to(part, options, threads)
         except InputError as error:
-            raise _from_row(error, begin) from error
+            raise in_row_from(error, begin) from error
 
     def text_of(self, part: Union[Variants, Scenes], begin: int) -> str:
         """The lines of such a shard, made by one thread."""
         return _lines(part, begin, self.answers_of(part, begin, 1))
-
-
-def _from_row(error: InputError, begin: int) -> InputError:
-    """Rows of a part are counted from its beginning; the user counts all of them."""
-    row = re.match(r"row (\d+)(.*)", error.place, re.DOTALL)
-    return InputError(f"row {begin + int(row[1])}{row[2]}", error.problem, error.hint) if row else error
 
 
 def _write(path: str, text: str) -> None:
@@ -165,7 +158,7 @@ def _claim(folder: str, about: dict[str, Any]) -> None:
 
 
 def _on_cluster(client: Any, options: _Options, given: Union[Variants, Scenes],
-                missing: Sequence[tuple[int, int, str]]) -> None:
+                missing: Sequence[tuple[int, int, str]], written: Callable[[int], None]) -> None:
     """Shards on the workers of Dask; what a lost worker had begun goes to another one. A few more than there are
     processors are on their way at a time."""
     import distributed
@@ -173,17 +166,19 @@ def _on_cluster(client: Any, options: _Options, given: Union[Variants, Scenes],
     left = iter(missing)
 
     def send(shard: tuple[int, int, str]) -> Any:
-        begin, end, path = shard
+        begin, end, _ = shard
         future = client.submit(options.text_of, given.part(begin, end), begin, pure=False)
-        paths[future.key] = path
+        shards[future.key] = shard
         return future
 
-    paths: dict[str, str] = {}
+    shards: dict[str, tuple[int, int, str]] = {}
     at_once = 2 * sum(client.ncores().values()) or 2
     waiting = completed([send(shard) for _, shard in zip(range(at_once), left)])
     try:
         for future in waiting:
-            _write(paths.pop(future.key), future.result())
+            begin, end, path = shards.pop(future.key)
+            _write(path, future.result())
+            written(end - begin)
             for shard in left:
                 waiting.add(send(shard))
                 break
@@ -192,27 +187,31 @@ def _on_cluster(client: Any, options: _Options, given: Union[Variants, Scenes],
 
 
 def _on_threads(count: int, options: _Options, given: Union[Variants, Scenes],
-                missing: Sequence[tuple[int, int, str]]) -> None:
+                missing: Sequence[tuple[int, int, str]], written: Callable[[int], None]) -> None:
     """Shards one after the other, each on all threads; a file is written while the library is at the next one."""
     def write(path: str, part: Union[Variants, Scenes], begin: int, answers: Any) -> None:
         _write(path, _lines(part, begin, answers))
 
     with concurrent.futures.ThreadPoolExecutor(1) as writer:
-        written: Optional[concurrent.futures.Future[None]] = None
+        last: Optional[tuple[concurrent.futures.Future[None], int]] = None
+
+        def finish() -> None:
+            if last is not None:
+                last[0].result()
+                written(last[1])
+
         for begin, end, path in missing:
             part = given.part(begin, end)
             answers = options.answers_of(part, begin, count)
-            if written is not None:
-                written.result()
-            written = writer.submit(write, path, part, begin, answers)
-        if written is not None:
-            written.result()
+            finish()
+            last = (writer.submit(write, path, part, begin, answers), end - begin)
+        finish()
 
 
 def sweep(scene: Union[Scene, Iterable[Scene]], motions: Mapping[str, Any] = {}, *, to: Union[str, os.PathLike[str]],
           shapes: Mapping[str, Sequence[Any]] = {}, times: Any = None, touch: Touch = "open", engine: Engine = "usual",
           max_seconds: Optional[float] = None, max_events: Optional[int] = None, shard: int = 1000,
-          threads: Optional[int] = None, client: Any = None) -> SweepAnswers:
+          threads: Optional[int] = None, client: Any = None, progress: Optional[Progress] = None) -> SweepAnswers:
     """check_many() for more rows than one sitting: answers go to files, and a sweep that was stopped goes on where it was.
 
     ``to``: a folder, made if need be. It gets sweep.json, which says what the sweep is about, and files of ``shard`` rows
@@ -220,6 +219,8 @@ def sweep(scene: Union[Scene, Iterable[Scene]], motions: Mapping[str, Any] = {},
     missing; another one is refused.
     ``client``: a distributed.Client, on whose workers shards are answered, while the files are written here; a worker that
     is lost loses nothing else. None: ``threads`` of this process.
+    ``progress``: called as progress(done, rows) at once and after each file, of all rows, those of files that were there
+    among them; what it raises ends the call.
     All else is as in check_many(). Files have the same bytes however often a sweep was stopped, and wherever it ran,
     unless ``max_seconds`` ends rows. Errors are those of check_many(), and OSError where files cannot be written.
     """
@@ -235,9 +236,18 @@ def sweep(scene: Union[Scene, Iterable[Scene]], motions: Mapping[str, Any] = {},
     shards = [(begin, min(begin + shard, rows), os.path.join(folder, f"rows-{begin:012d}.jsonl"))
               for begin in range(0, rows, shard)]
     missing = [(begin, end, path) for begin, end, path in shards if not os.path.exists(path)]
+    done = rows - sum(end - begin for begin, end, _ in missing)
+
+    def written(more: int) -> None:
+        nonlocal done
+        done += more
+        if progress is not None:
+            progress(done, rows)
+
+    written(0)
     if client is not None:
-        _on_cluster(client, options, given, missing)
+        _on_cluster(client, options, given, missing, written)
     else:
-        _on_threads(count, options, given, missing)
+        _on_threads(count, options, given, missing, written)
     return SweepAnswers(folder, rows, tuple(path for _, _, path in shards),
                         None if names is None else tuple(names))
