@@ -25,13 +25,14 @@ std::string bare(const std::string& text, std::size_t begin, std::size_t end) {
   return text.substr(begin, end - begin);
 }
 
-/// The lines of a text, one after the other.
+/// The lines of a text, one after the other. Programs of the old Macintosh end them by a return alone.
 class Lines {
  public:
-  explicit Lines(const std::string& text) : text_(text) {}
+  explicit Lines(const std::string& text)
+      : text_(text), line_end_(text.find('\n') == std::string::npos ? '\r' : '\n') {}
   bool next(std::string* line) {
     if (position_ >= text_.size()) return false;
-    const std::size_t end = std::min(text_.find('\n', position_), text_.size());
+    const std::size_t end = std::min(text_.find(line_end_, position_), text_.size());
     *line = bare(text_, position_, end);
     position_ = end + 1;
     ++number_;
@@ -41,6 +42,7 @@ class Lines {
 
  private:
   const std::string& text_;
+  char line_end_;
   std::size_t position_ = 0;
   int number_ = 0;
 };

@@ -106,8 +106,8 @@ for (const [format, file] of [
   });
 }
 for (const file of ["package.json", "README.md"]) await cp(join(here, file), join(out, file));
-const answers = await readFile(join(source, "answers.d.ts"), "utf8");
-await writeFile(join(dist, "taut.d.ts"), answers + declarationsOf(questions));
+const parts = ["scenes", "answers", "objects"].map((name) => readFile(join(source, `${name}.d.ts`), "utf8"));
+await writeFile(join(dist, "taut.d.ts"), [...(await Promise.all(parts)), declarationsOf(questions)].join("\n"));
 await cp(join(here, "../../LICENSE"), join(out, "LICENSE"));
 const { version } = JSON.parse(await readFile(join(here, "package.json"), "utf8"));
 const cmake = await readFile(join(here, "../../CMakeLists.txt"), "utf8");

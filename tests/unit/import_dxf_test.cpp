@@ -36,6 +36,14 @@ TEST(ImportDxf, PutsLinesTogetherInAnyDirection) {
   EXPECT_TRUE(import.files[0].gaps.empty());
 }
 
+TEST(ImportDxf, TakesTheLineEndsOfAllSystems) {
+  for (const char* end : {"\n", "\r\n", "\r"}) {
+    std::string text;
+    for (const char c : dxf_of(triangle_lines)) text += c == '\n' ? std::string(end) : std::string(1, c);
+    EXPECT_EQ(dxf_import(text).scene.bodies.at(0).polygon.size(), 3u);
+  }
+}
+
 TEST(ImportDxf, JoinsEndsWithinTheDistanceAndNoFarther) {
   const std::string gap =
       "0 LINE 8 a 10 0 20 0 11 4 21 0 0 LINE 8 a 10 4.05 20 0 11 0 21 3 0 LINE 8 a 10 0 20 3 11 0 21 0";

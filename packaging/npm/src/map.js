@@ -11,7 +11,7 @@ class Mover {
   }
 }
 
-/** Bodies at rest. answers.d.ts says what its members mean. */
+/** Bodies at rest. objects.d.ts says what its members mean. */
 export class StaticMap {
   #functions;
   #id;

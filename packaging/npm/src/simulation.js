@@ -3,7 +3,7 @@ import { bodyScene, collected, functionsOf, motionScene, optionsText, sceneText 
 
 const making = Symbol("making");
 
-/** check() online. answers.d.ts says what its members mean. */
+/** check() online. objects.d.ts says what its members mean. */
 export class Simulation {
   #functions;
   #id;
