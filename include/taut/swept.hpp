@@ -35,7 +35,7 @@ struct SweptRegion {
 /// grows with the number of poses, about the way of the body over the square root of the tolerance times the size.
 ///
 /// Throws InputError if the scene is not valid, if there is no such body, or if the tolerance is not positive or less
-/// than 2^-18 of the largest coordinate of the region; UndecidedError if it is stopped.
+/// than 2^-17 of the extent of the region, or than 2^-39 of its largest coordinate; UndecidedError if it is stopped.
 SweptRegion swept(const Scene& scene, BodyId body, const SweptOptions& options = {});
 
 /// {"body": name, "tolerance": x, "area": a, "parts": [{"outline": [[x, y], ...], "holes": [...]}, ...]} on one line,

@@ -34,6 +34,8 @@ using GridSet = grid::polygon_set_data<int>;
 
 /// So many polygons are united at once: what the union takes grows with the square of it.
 constexpr int most_together = 4;
+/// Points are so many bits of the grid away from its origin, at most; the origin itself is rounded to fewer.
+constexpr int largest_bits = 28, rounded_bits = 20;
 
 /// Cuts a ring where it comes to a vertex again, into rings that do not.
 void cut_at_pinches(const GridRing& ring, std::vector<GridRing>& simple) {
@@ -131,12 +133,14 @@ std::vector<GridRing> simple_rings(const grid::polygon_with_holes_data<int>& pol
 /// nothing.
 struct RegionUnion::Levels {
   double unit;
+  Point origin;  ///< a multiple of the unit, so that adding it to points of the grid rounds nothing
   std::unique_ptr<GridSet> fresh = std::make_unique<GridSet>();
   int waiting = 0;
   std::vector<std::unique_ptr<GridSet>> united = {};
 
   GridPoint rounded(const Point& p) const {
-    return {static_cast<int>(std::lrint(p.x / unit)), static_cast<int>(std::lrint(p.y / unit))};
+    return {static_cast<int>(std::lrint((p.x - origin.x) / unit)),
+            static_cast<int>(std::lrint((p.y - origin.y) / unit))};
   }
   GridRing rounded(const Polygon& polygon) const {
     GridRing ring;
@@ -149,7 +153,7 @@ struct RegionUnion::Levels {
   }
   Polygon in_units(const GridRing& ring) const {
     Polygon polygon;
-    for (const GridPoint& p : ring) polygon.push_back({p.x() * unit, p.y() * unit});
+    for (const GridPoint& p : ring) polygon.push_back({origin.x + p.x() * unit, origin.y + p.y() * unit});
     return polygon;
   }
   void add(const Polygon& polygon, bool hole) {
@@ -183,10 +187,16 @@ struct RegionUnion::Levels {
   }
 };
 
-RegionUnion::RegionUnion(double grid) : levels_(std::make_unique<Levels>(Levels{grid})) {}
+RegionUnion::RegionUnion(double grid, const Point& near) {
+  const double step = std::ldexp(grid, rounded_bits);
+  levels_ = std::make_unique<Levels>(Levels{grid, {std::rint(near.x / step) * step, std::rint(near.y / step) * step}});
+}
 RegionUnion::~RegionUnion() = default;
 
-double RegionUnion::largest() const { return std::ldexp(levels_->unit, largest_bits); }
+bool RegionUnion::has_room_for(const Point& p) const {
+  const Point& o = levels_->origin;
+  return std::max(std::fabs(p.x - o.x), std::fabs(p.y - o.y)) < std::ldexp(0.99 * levels_->unit, largest_bits);
+}
 
 void RegionUnion::add(const Polygon& polygon) {
   levels_->add(polygon, false);

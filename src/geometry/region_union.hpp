@@ -16,16 +16,16 @@ namespace taut::internal {
 /// through: it moves by at most one and a half grid units each time.
 class RegionUnion {
  public:
-  /// The grid is a power of two; coordinates are less than 2^largest_bits of it.
-  explicit RegionUnion(double grid);
+  /// The grid is a power of two. Only what is near `near` has room on it, and coordinates are less than 2^52 of it.
+  RegionUnion(double grid, const Point& near);
   ~RegionUnion();
 
-  static constexpr int largest_bits = 28;
   /// No polygon goes through more unions. Four times 2^18 polygons, a million, are united in so many.
   static constexpr int most_unions = 20;
   /// No edge moves farther.
   static constexpr double most_moved_in_grids = 1.5 * most_unions + 1;
-  double largest() const;
+  /// May polygons with the point be added? Yes if it is within 2^27 of the grid of `near`.
+  bool has_room_for(const Point& p) const;
 
   /// A polygon whose vertices run counterclockwise.
   void add(const Polygon& polygon);

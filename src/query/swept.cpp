@@ -92,7 +92,6 @@ class Sweep {
       : scene_(scene),
         tolerance_(tolerance),
         grid_(std::exp2(std::floor(std::log2(share_of_grid * tolerance)))),
-        region_(grid_),
         parts_(parts_of(body)),
         motions_(chain_of(scene, body)) {}
 
@@ -109,7 +108,7 @@ class Sweep {
           enter(after);
           join(placed(before, t), placed(after, t), t);
         });
-    return region_.parts();
+    return region_->parts();
   }
 
  private:
@@ -155,6 +154,7 @@ class Sweep {
   void begin(const PieceChain& chain, double t) {
     const Placed at = placed(chain, t);
     require(at.off <= share_of_bend * tolerance_, t);
+    if (!region_) region_.emplace(grid_, at.points.front());
     std::size_t first = 0, ring = 0;
     for (const Part& part : parts_) {
       Part whole;
@@ -169,7 +169,7 @@ class Sweep {
           whole.holes.push_back(points);
         }
       }
-      region_.add(whole);
+      region_->add(whole);
     }
     require(add_boundary(at, at, at.off, [](std::size_t, std::size_t) { return true; }), t);
   }
@@ -274,13 +274,13 @@ class Sweep {
     }
     Polygon hull;
     for (const int k : convex_hull(around)) hull.push_back(around[static_cast<std::size_t>(k)]);
-    region_.add(hull);
+    region_->add(hull);
   }
 
   void require_in_reach(const Point& p) const {
-    if (std::max(std::fabs(p.x), std::fabs(p.y)) < 0.99 * region_.largest()) return;
-    throw InputError("swept", "the tolerance is too small for coordinates as large as those of the region",
-                     "ask for a larger tolerance, or choose coordinates nearer to the origin");
+    if (region_->has_room_for(p)) return;
+    throw InputError("swept", "the tolerance is too small for a region as large as this one",
+                     "ask for a larger tolerance, or for a part of the time");
   }
   static void require(bool decided, double t) {
     if (decided) return;
@@ -291,7 +291,7 @@ class Sweep {
 
   const Scene& scene_;
   double tolerance_, grid_;
-  RegionUnion region_;
+  std::optional<RegionUnion> region_;  ///< on a grid about where the body starts: it may be far from the origin
   std::vector<Part> parts_;
   MotionChain motions_;
   Point pivot_;

@@ -203,6 +203,25 @@ TEST(Swept, CurvesAreWithinPolygonsAroundThem) {
   EXPECT_LE(region.area, pi * 1.01 * 1.01 + 6.06);
 }
 
+/// To a millimetre, where maps of countries have their coordinates.
+TEST(Swept, FarFromTheOrigin) {
+  constexpr double pi = 3.14159265358979323846;
+  const Scene scene = parse_scene(R"({"format": "taut-scene/1", "time": [0, 1], "bodies": [
+      {"name": "gate", "polygon": [[5334000, 691608], [5334003, 691608], [5334003, 691608.125], [5334000, 691608.125]],
+       "motion": {"sweep": {"pivot": [5334000, 691608], "from_deg": 0, "to_deg": 90}}},
+      {"name": "cart", "polygon": [[5334000, 691608], [5334002, 691608], [5334002, 691609], [5334000, 691609]],
+       "motion": {"velocity": [30, 0]}}]})");
+  const SweptRegion gate = swept(scene, 0, {1e-3, {}}), cart = swept(scene, 1, {1e-3, {}});
+  // About a corner, every radius up to the diagonal covers a quarter of a turn more than the gate has of it.
+  const double area = pi / 4 * (3 * 3 + 0.125 * 0.125) + 3 * 0.125;
+  EXPECT_GE(gate.area, area);
+  EXPECT_LE(gate.area, area + 1e-3 * 12);
+  EXPECT_GE(cart.area, 32);
+  EXPECT_LE(cart.area, (32 + 2e-3) * (1 + 2e-3));
+  for (const Complex& p : {Complex(5334000, 691608), Complex(5334032, 691608), Complex(5334032, 691609)})
+    EXPECT_TRUE(in_region(cart, p));
+}
+
 TEST(Swept, SaysWhatItCannotDo) {
   const Scene scene = moved({{0, 0}, {1, 0}, {0, 1}}, from_velocity({1, 0}), 1);
   EXPECT_THROW(swept(scene, 1), InputError);
