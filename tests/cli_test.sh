@@ -193,6 +193,7 @@ expect 0 '^CELLS  wall' '' cells primitive.json --resolution 1 --body wall --pgm
 expect 0 '"name":"cells 1","file":"cells.yaml"' '' import cells.yaml --json -o cells.json
 expect 2 '' '--body: there is no body "car"' cells primitive.json --resolution 1 --body car
 expect 2 '' 'the resolution is not a positive number' cells primitive.json --resolution 0
+expect 3 '' 'the time limit was reached' cells primitive.json --resolution 0.05 --max-seconds 0
 
 # The region that a body passes over, in every form.
 expect 0 '^SWEPT  cart passes over' '' swept primitive.json -o way.svg
@@ -204,7 +205,9 @@ expect 0 '^{"body":"wall"' '' swept primitive.json --body wall --json
 expect 2 '' 'way.pdf: the name does not say which form is wanted' swept primitive.json -o way.pdf
 expect 2 '' '--body: there is no body "car"' swept primitive.json --body car
 expect 2 '' 'the tolerance is too small' swept primitive.json --tolerance 1e-12
-expect 2 '' 'tolerance: it is not a positive number' swept primitive.json --tolerance -1
+expect 2 '' "--tolerance: '0' is not more than 0" swept primitive.json --tolerance 0
+expect 3 '' 'the time limit was reached' swept primitive.json --max-seconds 0
+expect 2 '' "--tolerance: '-1' is not more than 0" swept primitive.json --tolerance -1
 expect 2 '' 'resolution' cells primitive.json
 sed 's/V40H0Z/V40H0X/' plate.svg >broken.svg
 expect 2 '' 'broken.svg:2:17: this is no command of a path, at character 13' import broken.svg

@@ -8,6 +8,7 @@
 #include "commands.hpp"
 #include "interrupt.hpp"
 #include "report.hpp"
+#include "scene_argument.hpp"
 #include "scene_source.hpp"
 #include "taut/cells.hpp"
 #include "taut/error.hpp"
@@ -71,6 +72,7 @@ void add_cells(const Command& app, Action& action) {
   command.add_option("--origin-x", arguments->options.origin.x, "the left side of column 0 (0)").value("X");
   command.add_option("--origin-y", arguments->options.origin.y, "the lower side of row 0 (0)").value("Y");
   command.add_option("--pgm", arguments->pgm, "write an image, and a .yaml beside it for map_server").value("FILE");
+  add_max_seconds(command, arguments->options.limits);
   command.add_flag("--json", arguments->json, "print one JSON object");
   command.footer(
       "Example:\n"

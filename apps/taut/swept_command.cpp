@@ -7,6 +7,7 @@
 #include "commands.hpp"
 #include "interrupt.hpp"
 #include "report.hpp"
+#include "scene_argument.hpp"
 #include "scene_source.hpp"
 #include "taut/error.hpp"
 #include "taut/io.hpp"
@@ -83,9 +84,11 @@ void add_swept(const Command& app, Action& action) {
   command
       .add_option("--tolerance", arguments->options.tolerance,
                   "how far the region may reach beyond it, in units of the scene (a thousandth of the body's diagonal)")
-      .value("X");
+      .value("X")
+      .positive();
   command.add_option("-o,--output", arguments->output, "write the region as .svg, .dxf, .wkt, .geojson or .json")
       .value("FILE");
+  add_max_seconds(command, arguments->options.limits);
   command.add_flag("--json", arguments->json, "print one JSON object");
   command.footer(
       "Example:\n"
