@@ -301,7 +301,11 @@ expect 0 '<g class="rose".*<path class="free"' '' separate --svg - hit.json
 expect 0 '"outcome":"free"' '' separate --json --svg rose.svg hit.json
 grep -q 'class="rose"' rose.svg || { echo "FAILED: no rose in the picture"; failures=$((failures + 1)); }
 expect 1 'class="goal"' '' path "$examples/paths/reach.json" --map -
-expect 2 '' 'a picture has two directions' path "$examples/paths/piano.json" --map far.svg
+expect 2 '' 'a picture has two directions' path "$examples/paths/piano.json" --map far.svg -o far.json
+[ ! -e far.json ] || { echo "FAILED: path searched before it refused a map"; failures=$((failures + 1)); }
+echo old >far.json
+expect 1 '^NONE' 'no scene was written; far.json is an older file' path "$examples/paths/piano_long.json" -o far.json
+expect 1 '^LOCKED' 'no scene was written' separate --turns "$examples/jigsaw_caught.json" -o none.json
 expect 1 'overlap: anvil x hammer' '' separate --svg - overlap.json
 expect 0 '"ways":\[\{"body":"hammer"' '' separate --turns --json hit.json
 expect 0 '^FREE  anvil x hammer' '' separate --turns hit.json -o leaving.json
@@ -628,7 +632,7 @@ grep -q '^<p>{"title":"loader","envelope":{"outcome":"contact".*"bodies":\[{"nam
   { echo "FAILED: the envelope's page" && head -c 300 map_of_loader.html; failures=$((failures + 1)); }
 expect 1 '^<p>{"title"' '' envelope "$examples/linkages/loader.json" --tolerance 0.1 --html - --template map.html
 expect 2 '' 'not a template' envelope "$examples/linkages/loader.json" --tolerance 0.1 --html - --template "$examples/lid.json"
-expect 2 '' 'there are 3, and a picture' envelope --tolerance 0.3 --svg - "$examples/paths/bracket.json"
+expect 2 '' 'the scene has 3 joints, and a picture' envelope --tolerance 0.3 --svg - "$examples/paths/bracket.json"
 expect 3 'time limit' '' envelope --max-seconds 0 "$examples/linkages/lift.json"
 expect 2 '' 'tolerance: it is not between' envelope --tolerance 0 "$examples/linkages/lift.json"
 expect 2 '' 'joints instead of a time' check "$examples/linkages/lift.json"

@@ -67,6 +67,7 @@ std::string title_of(const EnvelopeArguments& arguments) {
 
 int run_envelope(const EnvelopeArguments& arguments) {
   const Linkage linkage = load_linkage(arguments.scene.source);
+  require_drawable("--svg", arguments.svg, linkage.joints);
   EnvelopeOptions options = arguments.options;
   options.limits.stop = stop_on_signals();
   std::optional<Progress> progress(std::in_place);

@@ -1,4 +1,6 @@
 // taut path: is there any way from the start to the goal?
+#include <fmt/format.h>
+
 #include <memory>
 #include <optional>
 
@@ -37,13 +39,18 @@ std::string picture(const PathProblem& problem, const PathAnswer& answer) {
 
 int run_path(const PathArguments& arguments) {
   const PathProblem problem = load_path_problem(arguments.scene.source);
+  require_drawable("--map", arguments.map, problem.linkage.joints);
   PathOptions options = arguments.options;
   options.limits.stop = stop_on_signals();
   std::optional<Progress> progress(std::in_place);
   const PathAnswer answer = within_file(arguments.scene.source.path, [&] { return find_path(problem, options); });
   progress.reset();
-  if (!arguments.output.empty() && answer.outcome == PathOutcome::path)
-    write_output(arguments.output, write_scene(path_scene(problem, answer.waypoints)));
+  if (!arguments.output.empty()) {
+    if (answer.outcome == PathOutcome::path)
+      write_output(arguments.output, write_scene(path_scene(problem, answer.waypoints)));
+    else
+      fmt::print(stderr, "taut: {}\n", not_written("scene", arguments.output));
+  }
   if (!arguments.svg.empty()) write_output(arguments.svg, picture(problem, answer));
   if (!arguments.map.empty()) write_output(arguments.map, path_svg(problem, answer));
   // What goes to standard output is one thing.

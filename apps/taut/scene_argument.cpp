@@ -8,6 +8,7 @@
 #include "commands.hpp"
 #include "io/platform.hpp"
 #include "io/terminal_text.hpp"
+#include "taut/error.hpp"
 #include "taut/io.hpp"
 
 namespace taut::cli {
@@ -54,6 +55,13 @@ std::string not_written(const std::string& what, const std::string& path) {
   const std::string name = internal::io::line_for_terminal(path);
   const bool old = std::filesystem::is_regular_file(internal::io::path_of(path), ignored);
   return "no " + what + " was written" + (old ? "; " + name + " is an older file, left as it was" : "");
+}
+
+void require_drawable(const std::string& option, const std::string& file, const std::vector<Joint>& joints) {
+  if (file.empty() || joints.size() <= 2) return;
+  throw InputError(option,
+                   "the scene has " + std::to_string(joints.size()) + " joints, and a picture has two directions",
+                   "leave it out, or write a scene with two joints, in which all else has one place");
 }
 
 void add_allow_untested(const Command& command, bool& allow) {

@@ -3,10 +3,13 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
+
 #include "command_line/command_line.hpp"
 
 #include "scene_source.hpp"
 #include "taut/check.hpp"
+#include "taut/envelope.hpp"
 #include "taut/scene.hpp"
 
 namespace taut::cli {
@@ -24,6 +27,9 @@ void add_limits(const Command& command, CheckOptions& options);
 void write_output(const std::string& path, const std::string& text);
 /// "no proof was written", and, if there is a file already, that it was left as it is: it is not about this scene.
 std::string not_written(const std::string& what, const std::string& path);
+
+/// Before a long search: a picture of more joints than two is refused. `file`: where it is to go; empty: nowhere.
+void require_drawable(const std::string& option, const std::string& file, const std::vector<Joint>& joints);
 
 /// What a question is asked about, and what becomes of a scene in which nothing is tested.
 struct AskedScene {

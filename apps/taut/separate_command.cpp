@@ -146,8 +146,12 @@ int run_separate(const SeparateArguments& arguments) {
   SeparateOptions options = arguments.options;
   options.limits.stop = stop_on_signals();
   const Separation answer = watched(scene, arguments.scene.path, [&] { return separate(scene, options); });
-  if (!arguments.output.empty() && !answer.ways.empty())
-    write_output(arguments.output, write_scene(removal_scene(scene, answer)));
+  if (!arguments.output.empty()) {
+    if (!answer.ways.empty())
+      write_output(arguments.output, write_scene(removal_scene(scene, answer)));
+    else
+      fmt::print(stderr, "taut: {}\n", not_written("scene", arguments.output));
+  }
   if (!arguments.svg.empty()) write_output(arguments.svg, picture(scene, answer));
   // What goes to standard output is one thing.
   if (arguments.output != "-" && arguments.svg != "-")
