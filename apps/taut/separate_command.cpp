@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <optional>
 
 #include "commands.hpp"
 #include "feature_text.hpp"
@@ -19,6 +20,7 @@ namespace {
 struct SeparateArguments {
   SceneSource scene;
   SeparateOptions options;
+  std::optional<double> tolerance;
   bool json = false, allow_untested = false;
   std::string output, svg;
 };
@@ -142,9 +144,14 @@ std::string picture(const Scene& scene, const Separation& answer) {
 int run_separate(const SeparateArguments& arguments) {
   if (!arguments.output.empty() && !arguments.options.turns)
     throw InputError("--output", "only ways with turns are written as a scene", "add --turns");
+  const bool other_cells = arguments.options.max_cells != SeparateOptions{}.max_cells;
+  if ((arguments.tolerance || other_cells) && !arguments.options.turns)
+    throw InputError(arguments.tolerance ? "--tolerance" : "--max-cells", "straight ways are exact without cells",
+                     "add --turns, or leave it out");
   const Scene scene = load_scene(arguments.scene);
   SeparateOptions options = arguments.options;
   options.limits.stop = stop_on_signals();
+  if (arguments.tolerance) options.tolerance = *arguments.tolerance;
   const Separation answer = watched(scene, arguments.scene.path, [&] { return separate(scene, options); });
   if (!arguments.output.empty()) {
     if (!answer.ways.empty())
@@ -175,7 +182,7 @@ void add_separate(const Command& app, Action& action) {
   command.add_flag("--turns", arguments->options.turns,
                    "also find ways along which a body turns, where none leaves straight");
   command
-      .add_option("--tolerance", arguments->options.tolerance,
+      .add_option("--tolerance", arguments->tolerance,
                   "with --turns: divide places and angles down to this share of their ranges (1e-4)")
       .value("X");
   command

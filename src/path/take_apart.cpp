@@ -301,7 +301,19 @@ double put_in_place(Body& body, const MotionChain& motions, double t, int expone
   return bound;
 }
 
-/// Where rounding makes bodies overlap that did not, all are shrunk a little.
+/// Has rounding changed what touches, or may it have? `given`: before it.
+bool fits_exactly(const Separation& given, const Separation& rounded) {
+  if (rounded.overlap) return true;
+  for (std::size_t k = 0; k < given.bodies.size(); ++k) {
+    const std::vector<DirectionArc>& before = given.bodies[k].free;
+    const bool lost = !before.empty() && rounded.bodies[k].free.empty();
+    if (lost || std::any_of(before.begin(), before.end(), [](const DirectionArc& arc) { return arc.point; }))
+      return true;
+  }
+  return false;
+}
+
+/// Where bodies fit exactly before they are rounded, all are shrunk a little.
 void part_what_touched(StandingScene& standing) {
   double largest = 0;
   for (const Body& body : standing.scene.bodies) {
@@ -333,7 +345,8 @@ StandingScene standing_scene(const Scene& scene) {
   standing.scene.mechanism.reset();
   standing.scene.lock.reset();
   standing.scene.assembly = nullptr;
-  if (standing.rounded > 0 && separate_straight(standing.scene, {}).overlap) part_what_touched(standing);
+  if (standing.rounded > 0 && fits_exactly(separate_straight(scene, {}), separate_straight(standing.scene, {})))
+    part_what_touched(standing);
   return standing;
 }
 

@@ -13,8 +13,8 @@ struct StandingScene {
   double rounded = 0;  ///< boundaries are nowhere farther than this from where they stand
 };
 
-/// The scene must be valid, without curves, and no two bodies may overlap at its start: where rounding would make some
-/// overlap, all are shrunk a little.
+/// The scene must be valid, without curves, and no two bodies may overlap at its start. Where some fit exactly and
+/// rounding would change that, all are shrunk a little.
 StandingScene standing_scene(const Scene& scene);
 
 /// The box of a body that stands.

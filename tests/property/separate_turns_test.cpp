@@ -239,6 +239,23 @@ TEST(SeparateTurns, BodiesStandAsAtTheStart) {
   EXPECT_NEAR(q.y, -1.4 + std::sin(a) * p.x + std::cos(a) * p.y, 1e-9);
 }
 
+/// A peg that fits its slot exactly leaves it, however both stand at the start.
+TEST(SeparateTurns, ExactFitsThatAMotionTurns) {
+  for (const double angle : {0.0, 37.123, 45.0, 90.0, 211.7}) {
+    SCOPED_TRACE(angle);
+    Scene scene;
+    scene.end = 1;
+    const Motion motion = from_keyframes({{0, 0.1, 0.2, angle}, {1, 1, 0.2, angle}});
+    scene.bodies = {{"slot", {{0, 0}, {5, 0}, {5, 5}, {3, 5}, {3, 1}, {2, 1}, {2, 5}, {0, 5}}, motion},
+                    {"peg", {{2, 1}, {3, 1}, {3, 4}, {2, 4}}, motion}};
+    EXPECT_EQ(separate(scene).outcome, SeparationOutcome::free);
+    const Separation answer = separate(scene, with_turns());
+    ASSERT_EQ(answer.outcome, SeparationOutcome::free) << answer.reason;
+    EXPECT_LT(answer.rounded, 1e-9);
+    EXPECT_EQ(check(removal_scene(scene, answer)).outcome, Outcome::free);
+  }
+}
+
 TEST(SeparateTurns, IgnoredBodiesAndOtherLayersBlockNothing) {
   Scene scene = read_scene("examples/worlds/bent_bar.json");
   scene.ignore.push_back({"plug", "bar"});
