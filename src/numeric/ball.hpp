@@ -19,7 +19,7 @@ inline double inflate(double r) { return r * (1 + 0x1p-48) + underflow_slack; }
 
 /// A bound of the rounding error of an operation whose result is m.
 template <class Real>
-double rounding(const Real& m) {
+inline double rounding(const Real& m) {
   return RealTraits<Real>::magnitude(m) * unit_roundoff<Real>();
 }
 
@@ -93,25 +93,25 @@ const Ball<Real>& as_ball(const Ball<Real>& x) {
 }
 
 template <class Real>
-Ball<Real> operator-(const Ball<Real>& a) {
+inline Ball<Real> operator-(const Ball<Real>& a) {
   Ball<Real> minus([&] { return -a.mid; });
   minus.rad = a.rad;
   return minus;
 }
 template <class Real>
-Ball<Real> operator+(const Ball<Real>& a, const Ball<Real>& b) {
+inline Ball<Real> operator+(const Ball<Real>& a, const Ball<Real>& b) {
   Ball<Real> sum([&] { return a.mid + b.mid; });
   sum.rad = detail::inflate(a.rad + b.rad + detail::rounding(sum.mid));
   return sum;
 }
 template <class Real>
-Ball<Real> operator-(const Ball<Real>& a, const Ball<Real>& b) {
+inline Ball<Real> operator-(const Ball<Real>& a, const Ball<Real>& b) {
   Ball<Real> difference([&] { return a.mid - b.mid; });
   difference.rad = detail::inflate(a.rad + b.rad + detail::rounding(difference.mid));
   return difference;
 }
 template <class Real>
-Ball<Real> operator*(const Ball<Real>& a, const Ball<Real>& b) {
+inline Ball<Real> operator*(const Ball<Real>& a, const Ball<Real>& b) {
   Ball<Real> product([&] { return a.mid * b.mid; });
   const double am = RealTraits<Real>::magnitude(a.mid), bm = RealTraits<Real>::magnitude(b.mid);
   double r = detail::rounding(product.mid);
@@ -143,7 +143,7 @@ Ball<Real> scaled(const Ball<Real>& a, int by) {
 
 /// Multiplication by an exact double, such as a power of two.
 template <class Real>
-Ball<Real> operator*(const Ball<Real>& a, double b) {
+inline Ball<Real> operator*(const Ball<Real>& a, double b) {
   return a * Ball<Real>::exact(b);
 }
 

@@ -87,7 +87,7 @@ struct RealTraits<WideFloat<Bits>> {
 };
 
 template <class Real>
-double unit_roundoff() {
+inline double unit_roundoff() {
   if constexpr (std::is_same_v<Real, double>) {
     return RealTraits<double>::unit_roundoff;
   } else {
