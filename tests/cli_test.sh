@@ -311,7 +311,7 @@ expect 0 '"ways":\[\{"body":"hammer"' '' separate --turns --json hit.json
 expect 0 '^FREE  anvil x hammer' '' separate --turns hit.json -o leaving.json
 expect 0 '^FREE  anvil x hammer' '' check leaving.json
 expect 2 '' 'add --turns' separate hit.json -o leaving.json
-expect 2 '' 'without cells' separate hit.json --tolerance 0.1
+expect 2 '' 'search for ways with turns' separate hit.json --tolerance 0.1
 expect 0 'class="free".*' '' range --from 1 --svg - hit.json
 expect 0 '>8: anvil x hammer<' '' range --from 1 --svg - hit.json
 expect 0 '>the start<' '' range --from 1 --svg - hit.json

@@ -146,7 +146,7 @@ int run_separate(const SeparateArguments& arguments) {
     throw InputError("--output", "only ways with turns are written as a scene", "add --turns");
   const bool other_cells = arguments.options.max_cells != SeparateOptions{}.max_cells;
   if ((arguments.tolerance || other_cells) && !arguments.options.turns)
-    throw InputError(arguments.tolerance ? "--tolerance" : "--max-cells", "straight ways are exact without cells",
+    throw InputError(arguments.tolerance ? "--tolerance" : "--max-cells", "it limits the search for ways with turns",
                      "add --turns, or leave it out");
   const Scene scene = load_scene(arguments.scene);
   SeparateOptions options = arguments.options;

@@ -93,8 +93,8 @@ struct Separation {
   /// With SeparateOptions::turns: those that are left, and of which that is not known.
   std::vector<BodyId> unsure;
   /// With SeparateOptions::turns: `ways`, `stuck` and `unsure` are about bodies whose boundaries lie within this of
-  /// those meant, since where they stand at the start is rounded to doubles; towards the material, if some would
-  /// overlap then. 0 if all are drawn where they stand.
+  /// those meant, since where they stand at the start is rounded to doubles; towards the material, if some fit
+  /// exactly. 0 if all are drawn where they stand.
   double rounded = 0;
   std::string reason;                          ///< why it is undecided or untested; empty otherwise
   Coverage coverage;                           ///< `at_rest` and `moving_alike` are 0: bodies stand still but for one

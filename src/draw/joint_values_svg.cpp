@@ -19,7 +19,7 @@ using io::chart_number;
 
 constexpr double left_of_plot = 90, above_plot = 64, strip_height = 60;
 
-/// In the order of CellState. What an envelope leaves undecided is a border; what a search for a way does, it did not
+/// In the order of CellState. An envelope leaves only borders undecided; a search for a way leaves all that it does not
 /// need.
 using StateColours = std::array<const char*, 3>;
 constexpr StateColours envelope_colours{"#bfe3c6", "#d98a80", "#4a4a4a"},
@@ -185,7 +185,7 @@ std::string way_svg(const JointValuesPlot& plot, const PathProblem& problem, con
       const Point p = place_of(plot.panel(), a, plot.strip()), q = place_of(plot.panel(), b, plot.strip());
       path += fmt::format("M{},{}L{},{}", chart_number(p.x), chart_number(p.y), chart_number(q.x), chart_number(q.y));
     };
-    // From both of its ends, as far as the frame, which cuts it off.
+    // The segment is drawn from each of its ends; the frame cuts off what lies in another period.
     JointValues ahead = way[i + 1], behind = way[i];
     for (std::size_t k = 0; k < problem.linkage.joints.size(); ++k) {
       const double period = problem.linkage.joints[k].hi - problem.linkage.joints[k].lo;

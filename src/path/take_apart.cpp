@@ -301,7 +301,7 @@ double put_in_place(Body& body, const MotionChain& motions, double t, int expone
   return bound;
 }
 
-/// Has rounding changed what touches, or may it have? `given`: before it.
+/// Whether rounding may have changed which ways fit exactly. `given`: the answer before rounding.
 bool fits_exactly(const Separation& given, const Separation& rounded) {
   if (rounded.overlap) return true;
   for (std::size_t k = 0; k < given.bodies.size(); ++k) {
@@ -313,7 +313,7 @@ bool fits_exactly(const Separation& given, const Separation& rounded) {
   return false;
 }
 
-/// Where bodies fit exactly before they are rounded, all are shrunk a little.
+/// Shrinks all bodies a little, so that those that fit exactly before rounding have room after it.
 void part_what_touched(StandingScene& standing) {
   double largest = 0;
   for (const Body& body : standing.scene.bodies) {
