@@ -133,6 +133,42 @@ Intervals intervals_within(const Scene& scene, double start, double end, AtRest 
   return intervals(part, options);
 }
 
+/// The overlaps from an instant on up to one end of the scene's time, at least up to the end of the first one. They are
+/// asked for in windows that grow: bodies that overlap ten thousand times do so early.
+class Overlaps {
+ public:
+  /// `end` is the scene's start or its end.
+  Overlaps(const Scene& scene, double t, double end, AtRest at_rest, const CheckOptions& options) {
+    constexpr double shortest = 0x1p-20, growth = 0x1p10;
+    const auto began = std::chrono::steady_clock::now();
+    for (double share = shortest;; share *= growth) {
+      const bool all = share >= 1;
+      const double limit = all ? end : t + (end - t) * share;
+      CheckOptions rest = options;
+      rest.limits.max_seconds = time_left(rest.limits.max_seconds, began);
+      found_ = intervals_within(scene, std::min(t, limit), std::max(t, limit), at_rest, rest);
+      if (all || first_is_whole(end > t)) return;
+    }
+  }
+
+  const Intervals& found() const { return found_; }
+
+ private:
+  /// Does what bodies do after this window, or before it, change nothing about the first overlap?
+  bool first_is_whole(bool forwards) const {
+    if (found_.outcome != Outcome::contact) return false;
+    const OverlapInterval* first = nullptr;
+    for (const OverlapInterval& o : found_.intervals) {
+      if (forwards ? !first || o.from.lo < first->from.lo : !first || o.to.hi > first->to.hi) first = &o;
+    }
+    if (!first) return false;
+    // Who overlaps at the instant itself is refused, whatever follows.
+    return forwards ? !first->enter || first->exit : !first->exit || first->enter;
+  }
+
+  Intervals found_;
+};
+
 /// What bodies do at an instant at which they are not apart: with closed touching, they may merely touch.
 std::string what_they_do(const Scene& scene, double t, const std::array<BodyId, 2>& pair, Touch touch) {
   if (touch == Touch::open) return "overlap";
@@ -189,11 +225,11 @@ Range range(const Scene& scene, double t, const CheckOptions& options) {
   Intervals before, after;
   // At the very end, the time before decides: a piece of a motion that begins there is none of the scene's.
   if (t < scene.end || scene.start == scene.end)
-    after = intervals_within(scene, t, scene.end, whole.at_rest(), options);
+    after = Overlaps(scene, t, scene.end, whole.at_rest(), options).found();
   if (t > scene.start) {
     CheckOptions rest = options;
     rest.limits.max_seconds = time_left(rest.limits.max_seconds, began);
-    before = intervals_within(scene, scene.start, t, whole.at_rest(), rest);
+    before = Overlaps(scene, t, scene.start, whole.at_rest(), rest).found();
   }
   Range range;
   range.geometry = geometry_of_range(before.geometry, after.geometry);

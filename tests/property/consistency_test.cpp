@@ -93,6 +93,34 @@ TEST(Consistency, WhereNothingMovesForAWhile) {
   EXPECT_EQ(answer.coverage.at_rest, 1U);
 }
 
+/// A bar and a star meet a post in every turn, a million times, at rates without a common divisor, so never twice
+/// alike. Only those overlaps matter that are next to the instant.
+TEST(Consistency, OfARangeBetweenMillionsOfOverlaps) {
+  Scene scene;
+  scene.end = 4e6;
+  scene.bodies = {{"bar", {{-3, -0.2}, {3, -0.2}, {3, 0.2}, {-3, 0.2}}, {}},
+                  {"post", {{2.5, -1}, {3.5, -1}, {3.5, 1}, {2.5, 1}}, {}},
+                  {"star", {{-0.1, 3.2}, {0.1, 3.2}, {0, 6}}, {}}};
+  for (const auto& [body, rate] : {std::pair{0U, 1.0}, {2U, 0.7320508075688772}}) {
+    MotionPiece& piece = scene.bodies[body].motion.pieces.emplace_back();
+    piece.rotation = AngleRotation{{0, rate}};
+  }
+  for (const double t : {1.5, 2000002.0, 3999997.0}) {
+    Scene around = scene;
+    around.start = std::max(0.0, t - 10);
+    around.end = std::min(scene.end, t + 10);
+    const Range whole = range(scene, t), part = range(around, t);
+    ASSERT_EQ(whole.outcome, Outcome::free) << t;
+    ASSERT_EQ(part.outcome, Outcome::free) << t;
+    for (const auto& [a, b] : {std::pair{whole.from, part.from}, {whole.to, part.to}}) {
+      ASSERT_TRUE(a && b) << t;
+      EXPECT_TRUE(a->lo <= b->hi && b->lo <= a->hi) << t;
+    }
+    EXPECT_EQ(whole.after->pair, part.after->pair);
+    EXPECT_EQ(whole.before->pair, part.before->pair);
+  }
+}
+
 /// (t - 1)^n more, or less, than what touches: the instant is in every bracket, and the wide ones say why.
 TEST(Consistency, OfTouchesOfHighOrder) {
   for (int n = 2; n <= 16; n += 2) {

@@ -104,6 +104,9 @@ class ConsistencyJudge {
       if (free.outcome != Outcome::free) return;
       require(!any([&](const OverlapInterval& o) { return o.from.hi < t && t < o.to.lo; }),
               where + ": within an interval");
+      const double from = free.from ? free.from->hi : scene_.start, to = free.to ? free.to->lo : scene_.end;
+      require(!any([&](const OverlapInterval& o) { return from < o.from.lo && o.to.hi < to; }),
+              where + ": an interval within it");
       require(!free.to || any([&](const OverlapInterval& o) { return share(o.from, *free.to); }),
               where + ": no interval begins where it ends");
       require(!free.from || any([&](const OverlapInterval& o) { return share(o.to, *free.from); }),
