@@ -29,6 +29,7 @@ COMMANDS = {
     "parking_distance.svg": "clearance examples/parking.json --profile 181 --svg",
     "parking_moving.svg": "draw examples/parking_clips.json --animate --width 600 -o",
     "paths/bracket_moving.svg": "path examples/paths/bracket.json --svg",
+    "paths/excavator_moving.svg": "path examples/paths/excavator.json --svg",
     "planetary_moving.svg": "draw examples/worlds/planetary.json --animate --plain --width 500 -o",
     "puzzle_moving.svg": "draw examples/worlds/puzzle.json --animate --plain --width 400 -o",
     "room_moving.svg": "draw examples/worlds/room.json --animate --plain --width 500 -o",

@@ -40,16 +40,26 @@ struct FreeMotion {
   Point pivot = {};
 };
 
+/// The body is a link of a mechanism, and follows one of its joints, which one driven joint moves. Made by assembled(),
+/// not by users.
+struct LinkMotion {
+  JointFollower follows;  ///< as a function of the driven joint's value
+  Point pivot;            ///< if it turns
+};
+
 /// How a body follows a joint: by times * value + plus, in degrees or lengths. A gear's wheel, a rack, and both jaws of
 /// a gripper follow one joint.
 struct JointMotion {
-  std::variant<Revolute, Slide, FreeMotion> kind;
-  int joint = 0;  ///< its position in Linkage::joints; a FreeMotion names its own, and has neither times nor plus
+  std::variant<Revolute, Slide, FreeMotion, LinkMotion> kind;
+  /// Its position in Linkage::joints; a FreeMotion names its own. Neither that nor a LinkMotion has times and plus.
+  int joint = 0;
   double times = 1, plus = 0;
 };
 
-/// Bodies whose place is given by joint values instead of time. Angles in radians are the sum of two terms, (pi / 180)
-/// times * value and (pi / 180) plus, each of whose coefficients is rounded once, as elsewhere.
+/// Bodies whose place is given by joint values instead of time. A mechanism in `scene` has no drives of its own: those
+/// of its joints are driven that have the name of one of `joints`, whose value is then that of the driven joint. Angles
+/// in radians are the sum of two terms, (pi / 180) times * value and (pi / 180) plus, each of whose coefficients is
+/// rounded once, as elsewhere.
 struct Linkage {
   std::vector<Joint> joints;
   /// Bodies, their frames (`relative_to`: an arm's links are chained by it), and pairs that are ignored. Its time, and
@@ -58,6 +68,13 @@ struct Linkage {
   /// For each body, in order, the joint that it follows; without one it rests in its frame. May be shorter.
   std::vector<std::optional<JointMotion>> motions;
 };
+
+/// The linkage with the motions of its mechanism's links: each is seen from the one that carries it. A linkage without
+/// a mechanism, or with these motions already, is returned as it is.
+///
+/// Each loop must follow one driven joint only, and none may lock within that joint's range. Throws InputError
+/// otherwise, and as assembled(Scene) does.
+Linkage assembled(Linkage linkage);
 
 /// What is known of a box of joint values.
 enum class CellState : unsigned char {

@@ -31,14 +31,17 @@ class Linkage(TextForm):
     lengths.
     ``ignore``, ``id``, ``folder``, ``at_rest``: as of a Scene; bodies are at rest relative to each other that no joint moves
     against each other.
+    ``mechanism``: as of a Scene, but its "drive" gives ranges, {"A": (0, 90)}: driven joints come after ``joints``, which may
+    be empty then. Each loop must follow one of them.
     """
 
     bodies: Sequence[Body]
-    joints: Mapping[str, Sequence[float]]
+    joints: Mapping[str, Sequence[float]] = field(default_factory=dict)
     ignore: Sequence[Sequence[str]] = ()
     id: Any = None
     folder: Union[str, os.PathLike[str]] = field(default=".", compare=False)
     at_rest: AtRest = "skip"
+    mechanism: Optional[Mapping[str, Any]] = None
 
     def __post_init__(self) -> None:
         # What a scene looks at, with a time that means nothing.
@@ -54,15 +57,22 @@ class Linkage(TextForm):
         """The linkage in the format taut-scene/1, on one line: what ``taut envelope`` reads."""
         object = json.loads(Scene(self.bodies, (0, 0), self.ignore, self.id, at_rest=self.at_rest).to_json())
         del object["time"]
-        object["joints"] = {name: list(range) for name, range in self.joints.items()}
+        if self.joints or self.mechanism is None:
+            object["joints"] = {name: list(range) for name, range in self.joints.items()}
+        if self.mechanism is not None:
+            object["mechanism"] = self.mechanism
         return json.dumps(object, separators=(",", ":"), ensure_ascii=False, allow_nan=False)
 
     @classmethod
     def _read(cls, text: str, name: str, folder: Union[str, os.PathLike[str]]) -> Linkage:
         _taut2d.read_linkage(_scene_text(text, name, folder))
         object = json.loads(text)
-        return cls([_body_from_json(body) for body in object["bodies"]], object["joints"], object.get("ignore", ()),
-                   object.get("id"), folder, object.get("at_rest", "skip"))
+        return cls([_body_from_json(body) for body in object["bodies"]], object.get("joints", {}), object.get("ignore", ()),
+                   object.get("id"), folder, object.get("at_rest", "skip"), object.get("mechanism"))
+
+    def _joint_names(self) -> tuple[str, ...]:
+        """In the order in which answers have them."""
+        return (*self.joints, *(self.mechanism["drive"] if self.mechanism is not None else ()))
 
 
 @dataclass(frozen=True)

@@ -71,7 +71,7 @@ class PathProblem(TextForm):
     def scene(self, waypoints: Sequence[Mapping[str, float]]) -> Scene:
         """An ordinary scene in which the bodies go along waypoints, one unit of time from each to the next: what check()
         and prove() take."""
-        rows = [[float(at[joint]) for joint in self.linkage.joints] for at in waypoints]
+        rows = [[float(at[joint]) for joint in self.linkage._joint_names()] for at in waypoints]
         with _plain_places():
             text = _taut2d.path_scene(_scene_text(self.to_json(), "scene", self.linkage.folder), rows)
         return Scene.from_json(text, folder=self.linkage.folder)
@@ -179,7 +179,7 @@ def _path_from_json(text: str, problem: PathProblem) -> PathAnswer:
     value = json.loads(text)
     waypoints = tuple({k: float(v) for k, v in at.items()} for at in value.get("waypoints", ()))
     return PathAnswer(value["outcome"], waypoints, _tight_from(value.get("tight")), value["exact"], float(value["tolerance"]),
-                      value["cell_count"], _cells_from(value), value.get("reason"), Coverage(**value["coverage"]), text, tuple(problem.linkage.joints))
+                      value["cell_count"], _cells_from(value), value.get("reason"), Coverage(**value["coverage"]), text, problem.linkage._joint_names())
 
 
 def path(problem: PathProblem, *, touch: Touch = "open", clearance: float = 0.0, tolerance: float = 1e-4,

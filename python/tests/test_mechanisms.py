@@ -67,3 +67,22 @@ def test_errors():
     with pytest.raises(taut2d.InputError) as error:
         taut2d.mechanism(taut2d.Scene(slider_crank(A={"from_deg": 0, "to_deg": 9}).bodies, (0, 1)))
     assert "mechanism" in str(error.value)
+
+
+def test_drives_with_ranges():
+    """A linkage of a mechanism: what intervals() says of the turn, and a way of three drives at once."""
+    turning = taut2d.Scene.load(root / "examples/mechanisms/crank_rocker.json")
+    linkage = taut2d.Linkage(turning.bodies, mechanism={**turning.mechanism, "drive": {"A": (0, 360)}})
+    answer = taut2d.envelope(linkage, cells=True)
+    assert answer.outcome == "contact" and set(answer.witness.values) == {"A"}
+    assert len(taut2d.intervals(turning).intervals) == 1
+    colliding = [cell for cell in answer.cells if cell.state == "colliding"]
+    assert min(cell.lo[0] for cell in colliding) == pytest.approx(236.02, abs=0.5)
+    assert max(cell.hi[0] for cell in colliding) == pytest.approx(289.23, abs=0.5)
+    problem = taut2d.PathProblem.load(root / "examples/paths/excavator.json")
+    assert problem.linkage.joints == {} and problem.to_json() == taut2d.PathProblem.from_json(problem.to_json()).to_json()
+    found = taut2d.path(problem)
+    assert found.outcome == "path" and set(found.waypoints[0]) == {"lift", "elbow", "curl"}
+    assert taut2d.check(problem.scene(found.waypoints)).outcome == "free"
+    with pytest.raises(taut2d.InputError, match="logs about paths of mechanisms"):
+        taut2d.prove_path(problem)

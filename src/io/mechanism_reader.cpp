@@ -18,10 +18,14 @@ const char* const drive_shape =
     R"({"from_deg": 0, "to_deg": 360} for a revolute joint, {"from": 0, "to": 10} for a slide, keyframes [{"t": 0, "deg": 0}, ...], or a polynomial {"deg": [c0, c1, ...]})";
 const char* const coupling_shape = R"("couple": [{"joint": "P", "to": "A", "times": -1.5}])";
 
+const char* const range_shape = R"("drive": {"A": [0, 90]}, in degrees or lengths from the drawn pose)";
+
 class MechanismReader {
  public:
   MechanismReader(const JsonDocument& document, double start, double end)
       : document_(document), start_(start), end_(end) {}
+  /// Drives are ranges, and added to the joints.
+  MechanismReader(const JsonDocument& document, std::vector<Joint>& ranges) : document_(document), ranges_(&ranges) {}
 
   Mechanism read(std::size_t token) {
     const JsonObject object(document_, token, "mechanism", {"ground", "joints", "drive", "couple"}, mechanism_shape);
@@ -112,6 +116,7 @@ class MechanismReader {
 
   void read_drive(const std::string& name, std::size_t token, const std::string& path) {
     const bool slides = kind_of(name, token, path) == MechanismJoint::Kind::slide;
+    if (ranges_) return read_range(name, token, path);
     Drive drive{name, {}};
     if (document_.at(token).kind() == JsonKind::array) {
       read_keyframes(token, path, slides, drive);
@@ -119,6 +124,16 @@ class MechanismReader {
       read_line_or_polynomial(token, path, slides, drive);
     }
     mechanism_.drives.push_back(std::move(drive));
+  }
+
+  void read_range(const std::string& name, std::size_t token, const std::string& path) {
+    const auto range = read_numbers(document_, token, path, range_shape, 2, std::string("write ") + range_shape);
+    if (range.size() != 2)
+      throw document_.error(token, path, "expected two numbers, found " + std::to_string(range.size()),
+                            std::string("write ") + range_shape);
+    if (std::any_of(ranges_->begin(), ranges_->end(), [&](const Joint& joint) { return joint.name == name; }))
+      throw document_.error(token, path, "\"joints\" has a joint of this name, too", "give one of them another name");
+    ranges_->push_back({name, range[0], range[1]});
   }
 
   void read_line_or_polynomial(std::size_t token, const std::string& path, bool slides, Drive& drive) const {
@@ -148,6 +163,11 @@ class MechanismReader {
     std::vector<std::array<double, 2>> frames;
     for (std::size_t i = token + 1; i < document_.after(token); i = document_.after(i)) {
       const std::string place = element_path(path, frames.size());
+      if (document_.at(i).kind() == JsonKind::number)
+        throw document_.error(i, place, "expected a keyframe, found a number",
+                              std::string("write ") + drive_shape +
+                                  "; a range [lo, hi] is for scenes without \"time\", which `taut envelope` and "
+                                  "`taut path` take");
       const JsonObject object(document_, i, place, {"t", key}, drive_shape);
       frames.push_back({read_number(document_, object.get("t"), object.path("t")),
                         read_number(document_, object.get(key), object.path(key))});
@@ -195,7 +215,8 @@ class MechanismReader {
   }
 
   const JsonDocument& document_;
-  double start_, end_;
+  double start_ = 0, end_ = 0;
+  std::vector<Joint>* ranges_ = nullptr;
   Mechanism mechanism_;
 };
 
@@ -203,6 +224,19 @@ class MechanismReader {
 
 Mechanism read_mechanism(const JsonDocument& document, std::size_t token, double start, double end) {
   return MechanismReader(document, start, end).read(token);
+}
+
+Mechanism read_mechanism_with_ranges(const JsonDocument& document, std::size_t token, std::vector<Joint>& joints) {
+  const std::vector<Joint> others = joints;
+  Mechanism mechanism = MechanismReader(document, joints).read(token);
+  for (const Joint& joint : others) {
+    for (const MechanismJoint& own : mechanism.joints) {
+      if (own.name == joint.name)
+        throw document.error(token, "mechanism", "\"joints\" has a joint \"" + excerpt(joint.name) + "\", too",
+                             "give one of them another name; the range of a driven joint is written in \"drive\"");
+    }
+  }
+  return mechanism;
 }
 
 }  // namespace taut::internal::io

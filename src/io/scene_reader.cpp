@@ -48,15 +48,21 @@ class SceneReader {
         "`taut import` makes scenes of drawings and maps; a body's polygon may be {\"geojson\": file}");
   }
 
+  void refuse_joints() const {
+    if (document_.at(0).kind() != JsonKind::object) return;
+    const bool joints = io::has_member(document_, 0, "joints");
+    if (!joints && (io::has_member(document_, 0, "time") || !io::has_member(document_, 0, "mechanism"))) return;
+    throw document_.error(0, "", joints ? "the scene has joints instead of a time" : "the scene has no time",
+                          "ask taut envelope or taut path about joints with ranges, or give it a \"time\" and motions");
+  }
+
   Scene read() const {
     refuse_geojson();
+    refuse_joints();
     // "$schema" is for editors.
     const JsonObject root(document_, 0, "",
                           {"format", "time", "bodies", "ignore", "at_rest", "id", "joints", "mechanism", "$schema"},
                           scene_shape);
-    if (const auto joints = root.find("joints"))
-      throw document_.error(*joints, "joints", "the scene has joints instead of a time",
-                            "ask taut envelope or taut path about it, or give it a \"time\" and motions");
     Scene scene;
     read_format(root.get("format"));
     read_time(root.get("time"), scene);
@@ -67,11 +73,8 @@ class SceneReader {
     const auto mechanism = root.find("mechanism");
     if (!mechanism) return scene;
     scene.mechanism = io::read_mechanism(document_, *mechanism, scene.start, scene.end);
-    try {
-      return assembled(std::move(scene));
-    } catch (const InputError& error) {
-      throw document_.error(*mechanism, error.place(), error.problem(), error.hint());
-    }
+    with_place(*mechanism, [&] { scene = assembled(std::move(scene)); });
+    return scene;
   }
 
   Linkage read_linkage() const {
@@ -90,18 +93,31 @@ class SceneReader {
   }
 
  private:
+  /// Errors say where in the file.
+  template <class Assemble>
+  void with_place(std::size_t token, const Assemble& assemble) const {
+    try {
+      assemble();
+    } catch (const InputError& error) {
+      throw document_.error(token, error.place(), error.problem(), error.hint());
+    }
+  }
+
   JsonObject read_joints_and_bodies(PathProblem& problem) const {
     refuse_geojson();
     if (document_.at(0).kind() == JsonKind::object && io::has_member(document_, 0, "time"))
       throw document_.error(0, "", "the scene has a time instead of joints",
                             "ask `taut check` about it, or write \"joints\": {\"lift\": [0, 60]} instead of \"time\"");
     // "periodic", "start" and "goal" are part of one question; the others pass over them.
-    JsonObject root(document_, 0, "",
-                    {"format", "joints", "periodic", "start", "goal", "bodies", "ignore", "at_rest", "id", "$schema"},
-                    linkage_shape);
+    JsonObject root(
+        document_, 0, "",
+        {"format", "joints", "periodic", "start", "goal", "bodies", "ignore", "at_rest", "id", "mechanism", "$schema"},
+        linkage_shape);
     read_format(root.get("format"));
     Linkage& linkage = problem.linkage;
-    linkage.joints = io::read_joints(document_, root.get("joints"));
+    const auto mechanism = root.find("mechanism");
+    const auto joints = root.find("joints");
+    if (joints || !mechanism) linkage.joints = io::read_joints(document_, root.get("joints"));
     std::vector<std::optional<JointMotion>>& motions = linkage.motions;
     read_rest(root, linkage.scene, [&](std::size_t token, const std::string& path, Body&) {
       // This body is the next one.
@@ -109,6 +125,9 @@ class SceneReader {
       motions.push_back(io::read_joint_motion(document_, token, path, linkage.joints));
     });
     motions.resize(linkage.scene.bodies.size());
+    if (!mechanism) return root;
+    linkage.scene.mechanism = io::read_mechanism_with_ranges(document_, *mechanism, linkage.joints);
+    with_place(*mechanism, [&] { linkage = assembled(std::move(linkage)); });
     return root;
   }
 

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "motion/joint_functions.hpp"
+#include "motion/joint_value.hpp"
 #include "numeric/trig.hpp"
 
 namespace taut::internal {
@@ -75,6 +77,73 @@ JointModel rotation_of(const JointMotion& motion, const JointCell& cell) {
   return rotation;
 }
 
+/// The value of a link's joint over the cell is value + rate h, up to the error, for h from -1 to 1.
+struct FollowedValue {
+  Ball<double> value;
+  double rate = 0, error = 0;
+};
+
+/// By Taylor's theorem, with the second derivative over the whole cell.
+FollowedValue followed_value(const LinkMotion& link, const JointCell& cell, std::size_t joint) {
+  using B = Ball<double>;
+  const auto followed = static_cast<std::size_t>(link.follows.joint),
+             piece = static_cast<std::size_t>(link.follows.piece);
+  const double middle = cell.middle[joint], half = cell.half[joint], reach = std::fabs(half);
+  const auto at = joint_value<Series<double, 1>>(*link.follows.functions, followed, piece, B::exact(middle));
+  const auto over = joint_value<Series<double, 3>>(*link.follows.functions, followed, piece, B(middle, reach));
+  const auto coefficient = [](const auto& s, int k) {
+    return k < s.terms ? s.c[static_cast<std::size_t>(k)] : B::exact(0);
+  };
+  const double sign = link.follows.sign;
+  const B slope = coefficient(at, 1);
+  FollowedValue found{coefficient(at, 0) * sign, sign * slope.mid * half, 0};
+  found.error = (slope.rad * reach + coefficient(over, 2).magnitude() * reach * reach +
+                 rounding_share * std::fabs(found.rate) + underflow_slack) *
+                up;
+  return found;
+}
+
+/// The error of a place that is not known: of a number no larger than 1, and of one that no scene comes near.
+constexpr double any_rotation = 2, any_way = 0x1p100;
+
+/// exp(i (value + rate h + rest)): the rest counts at most once, and the square of what is added to the value half.
+JointModel rotation_of(const FollowedValue& followed, std::size_t joint) {
+  const Ball<double> degree = one_degree<double>();
+  const double swing = followed.rate * degree.mid,
+               rest = (followed.error * degree.mid + rounding_share * std::fabs(swing)) * up;
+  const SinCos<double> at = sin_cos(followed.value * degree);
+  JointModel rotation = JointModel::constant({at.cos.mid, at.sin.mid});
+  rotation.rate[joint] = {-swing * at.sin.mid, swing * at.cos.mid};
+  const double most = std::fabs(swing) + rest;
+  rotation.error = (rest + most * most / 2 + (at.cos.rad + at.sin.rad + rounding_share) * (1 + most)) * up;
+  if (rotation.error < any_rotation) return rotation;
+  rotation = JointModel::constant({1, 0});
+  rotation.error = any_rotation * up;
+  return rotation;
+}
+
+/// Of a link of a mechanism.
+PoseModel pose_of(const LinkMotion& link, std::size_t joint, const JointCell& cell, double scale) {
+  const FollowedValue followed = followed_value(link, cell, joint);
+  if (!link.follows.slides) {
+    const JointModel rotation = rotation_of(followed, joint);
+    const JointModel pivot = JointModel::constant({link.pivot.x * scale, link.pivot.y * scale});
+    return {pivot - rotation * pivot, rotation};
+  }
+  const Point& d = link.follows.direction;
+  const double length = std::sqrt(d.x * d.x + d.y * d.y);
+  const Vector along{d.x / length * scale, d.y / length * scale};
+  PoseModel pose;
+  pose.shift = JointModel::constant({followed.value.mid * along.x, followed.value.mid * along.y});
+  pose.shift.rate[joint] = {followed.rate * along.x, followed.rate * along.y};
+  const double parts = followed.value.magnitude() + std::fabs(followed.rate);
+  pose.shift.error = (followed.value.rad + followed.error + rounding_share * parts) * scale * up;
+  if (pose.shift.error < any_way) return pose;
+  pose.shift = JointModel::constant({0, 0});
+  pose.shift.error = any_way;
+  return pose;
+}
+
 }  // namespace
 
 PoseModel pose_of(const JointMotion& motion, const JointCell& cell, double scale) {
@@ -83,6 +152,8 @@ PoseModel pose_of(const JointMotion& motion, const JointCell& cell, double scale
     for (const JointMotion& single : single_motions(motion)) pose = pose.of(pose_of(single, cell, scale));
     return pose;
   }
+  if (const auto* link = std::get_if<LinkMotion>(&motion.kind))
+    return pose_of(*link, static_cast<std::size_t>(motion.joint), cell, scale);
   if (const auto* revolute = std::get_if<Revolute>(&motion.kind)) {
     const JointModel rotation = rotation_of(motion, cell);
     const JointModel pivot = JointModel::constant({revolute->pivot.x * scale, revolute->pivot.y * scale});

@@ -11,6 +11,9 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
+/// As many joints as a linkage has.
+constexpr std::size_t max_drives = 4;
+
 template <class Real>
 Ball<Real> anything() {
   return Ball<Real>(Real(0), infinity);
@@ -248,13 +251,14 @@ const std::vector<Series<Real, N>>& JointFunctions::all_values(std::size_t piece
     Ball<Real> t;
     std::vector<J> values;
   };
-  // Each of a pair's chains asks for several joints at one time, and for two times in turn.
-  thread_local std::array<Known, 2> known;
+  // Each of a pair's chains asks for several joints at one time, and for two times in turn; over a cell of joint
+  // values, all pairs ask for one time of each drive.
+  thread_local std::array<Known, 2 * max_drives> known;
   thread_local std::size_t last = 0;
   for (Known& k : known) {
     if (k.id == id_ && k.piece == piece && k.t.mid == t.mid && k.t.rad == t.rad) return k.values;
   }
-  last = 1 - last;
+  last = (last + 1) % known.size();
   Known& entry = known[last];
   entry.id = 0;
   const std::vector<J> of_unknowns = equations_.unknowns > 0 ? unknowns<Real, N>(piece, t) : std::vector<J>{};

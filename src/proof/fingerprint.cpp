@@ -247,6 +247,9 @@ Fingerprint path_fingerprint(const PathProblem& problem) {
   if (proof::any_curves(scene))
     throw InputError("bodies", "logs about paths of bodies with curves cannot be written",
                      "`taut flatten` makes polygons of the curves");
+  if (scene.mechanism)
+    throw InputError("mechanism", "logs about paths of mechanisms cannot be written yet",
+                     "`taut prove` proves a way that `taut path -o` wrote as a scene");
   Hasher hash("taut path 1");
   hash.count(joints.size());
   for (std::size_t k = 0; k < joints.size(); ++k) {

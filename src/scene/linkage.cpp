@@ -4,6 +4,8 @@
 #include <numbers>
 #include <set>
 
+#include "motion/joint_functions.hpp"
+#include "motion/joint_value.hpp"
 #include "scene/linkage.hpp"
 #include "scene/validate_scene.hpp"
 #include "taut/error.hpp"
@@ -13,6 +15,7 @@ namespace taut::internal {
 Scene resting_scene(const Linkage& linkage) {
   Scene scene = linkage.scene;
   scene.start = scene.end = 0;
+  scene.mechanism.reset();
   for (Body& body : scene.bodies) body.motion = {};
   return scene;
 }
@@ -30,6 +33,13 @@ std::vector<JointMotion> single_motions(const JointMotion& motion) {
   if (free->y) single.push_back({Slide{{0, 1}}, *free->y});
   if (free->deg) single.push_back({Revolute{free->pivot}, *free->deg});
   return single;
+}
+
+double value_of_link(const LinkMotion& link, double value) {
+  return joint_value<Series<double, 0>>(*link.follows.functions, static_cast<std::size_t>(link.follows.joint),
+                                        static_cast<std::size_t>(link.follows.piece), Ball<double>::exact(value))
+      .c[0]
+      .mid;
 }
 
 bool follows(const JointMotion& motion, std::size_t joint) {
@@ -64,6 +74,7 @@ void validate_joints(const std::vector<Joint>& joints) {
 void validate_single(const JointMotion& motion, const std::vector<Joint>& joints, const std::string& place) {
   if (motion.joint < 0 || static_cast<std::size_t>(motion.joint) >= joints.size())
     throw InputError(place + ".by", "there is no such joint", "name one of \"joints\"");
+  if (std::holds_alternative<LinkMotion>(motion.kind)) return;
   const Joint& joint = joints[static_cast<std::size_t>(motion.joint)];
   const bool turns = std::holds_alternative<Revolute>(motion.kind);
   const Point vector = turns ? std::get<Revolute>(motion.kind).pivot : std::get<Slide>(motion.kind).direction;
@@ -86,8 +97,24 @@ void validate_motion(const JointMotion& motion, const std::vector<Joint>& joints
   for (const JointMotion& m : single) validate_single(m, joints, place);
 }
 
+/// What a link of a mechanism does at this value of the joint that drives it.
+void add_to(MotionPiece& piece, const LinkMotion& link, double value) {
+  constexpr double degree = std::numbers::pi / 180;
+  const JointFollower& follows = link.follows;
+  const double own = follows.sign * value_of_link(link, value);
+  if (!follows.slides) {
+    piece.rotation = AngleRotation{{own * degree}};
+    piece.pivot = link.pivot;
+    return;
+  }
+  const double length = std::hypot(follows.direction.x, follows.direction.y);
+  piece.x = {own / length * follows.direction.x};
+  piece.y = {own / length * follows.direction.y};
+}
+
 /// Adds what one revolute or slide does at these values. The revolute comes last.
 void add_to(MotionPiece& piece, const JointMotion& motion, double value) {
+  if (const auto* link = std::get_if<LinkMotion>(&motion.kind)) return add_to(piece, *link, value);
   if (const auto* revolute = std::get_if<Revolute>(&motion.kind)) {
     const JointAngle angle = joint_angle_of(motion);
     piece.rotation = AngleRotation{{angle.slope * value + angle.offset}};
@@ -104,6 +131,9 @@ void add_to(MotionPiece& piece, const JointMotion& motion, double value) {
 
 void validate(const Linkage& linkage) {
   validate_joints(linkage.joints);
+  const auto is_link = [](const auto& motion) { return motion && std::holds_alternative<LinkMotion>(motion->kind); };
+  if (linkage.scene.mechanism && std::none_of(linkage.motions.begin(), linkage.motions.end(), is_link))
+    throw InputError("mechanism", "its bodies have no motions yet", "ask about assembled(linkage)");
   if (linkage.motions.size() > linkage.scene.bodies.size())
     throw InputError("motions", "there are more of them than bodies", "give each body at most one");
   for (std::size_t i = 0; i < linkage.motions.size(); ++i) {

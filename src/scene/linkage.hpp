@@ -7,6 +7,9 @@
 
 namespace taut::internal {
 
+/// Is this the name of a joint that can be driven?
+bool is_joint_of(const Mechanism& mechanism, const std::string& name);
+
 /// The revolutes and slides that a motion consists of, the outermost first. A revolute is the last one.
 std::vector<JointMotion> single_motions(const JointMotion& motion);
 /// Does a body with this motion follow the joint?
@@ -18,7 +21,10 @@ struct JointAngle {
 };
 JointAngle joint_angle_of(const JointMotion& motion);
 
-/// The scene without motions and time.
+/// The value of the joint that a link of a mechanism follows, at a value of the driven one: the middle of an enclosure.
+double value_of_link(const LinkMotion& link, double value);
+
+/// The scene without motions, mechanism and time.
 Scene resting_scene(const Linkage& linkage);
 
 }  // namespace taut::internal

@@ -1,6 +1,7 @@
 // Is this a problem that can be asked about, and where are its bodies along a way?
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "scene/linkage.hpp"
 #include "taut/error.hpp"
@@ -20,10 +21,10 @@ void validate_period(const PathProblem& problem, std::size_t joint) {
       if (static_cast<std::size_t>(motion.joint) != joint) continue;
       const double turns = motion.times * (j.hi - j.lo) / 360;
       if (std::holds_alternative<Revolute>(motion.kind) && turns == std::floor(turns) && turns != 0) continue;
-      throw InputError(
-          "periodic." + j.name,
-          "over its range, body \"" + problem.linkage.scene.bodies[i].name + "\" does not come back to where it was",
-          "give the joint a range of 360 degrees, or leave it out of \"periodic\"");
+      throw InputError("periodic." + j.name,
+                       "over its range, body \"" + problem.linkage.scene.bodies[i].name +
+                           "\" does not come back to where it was, or is not known to",
+                       "give the joint a range of 360 degrees, or leave it out of \"periodic\"");
     }
   }
 }
@@ -62,13 +63,42 @@ void validate(const PathProblem& problem) {
   validate_goal(problem);
 }
 
+namespace {
+
+/// The driven joints of a mechanism move from waypoint to waypoint. Its links have neither motions nor parents yet.
+void drive_along(const PathProblem& problem, const std::vector<JointValues>& waypoints, Scene& scene) {
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    const auto& motion = problem.linkage.motions[i];
+    if (motion && std::holds_alternative<LinkMotion>(motion->kind)) scene.bodies[i].relative_to.clear();
+  }
+  for (std::size_t k = 0; k < problem.linkage.joints.size(); ++k) {
+    const std::string& name = problem.linkage.joints[k].name;
+    if (!is_joint_of(*scene.mechanism, name)) continue;
+    Drive drive{name, {}};
+    for (std::size_t n = 1; n < waypoints.size(); ++n) {
+      const auto t = static_cast<double>(n);
+      drive.pieces.push_back({t, std::array<double, 4>{t - 1, waypoints[n - 1][k], t, waypoints[n][k]}, {}});
+    }
+    if (drive.pieces.empty()) {
+      drive.pieces.emplace_back();
+      drive.pieces.back().polynomial = {waypoints[0][k]};
+    }
+    drive.pieces.back().until = std::numeric_limits<double>::infinity();
+    scene.mechanism->drives.push_back(std::move(drive));
+  }
+}
+
+}  // namespace
+
 Scene path_scene(const PathProblem& problem, const std::vector<JointValues>& waypoints) {
   Scene scene = problem.linkage.scene;
   scene.start = 0;
   scene.end = static_cast<double>(waypoints.size()) - 1;
+  if (scene.mechanism) drive_along(problem, waypoints, scene);
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     scene.bodies[i].motion = {};
     if (i >= problem.linkage.motions.size() || !problem.linkage.motions[i]) continue;
+    if (std::holds_alternative<LinkMotion>(problem.linkage.motions[i]->kind)) continue;
     std::vector<Keyframe> frames(waypoints.size());
     Point pivot;
     for (const JointMotion& motion : single_motions(*problem.linkage.motions[i])) {
@@ -86,7 +116,7 @@ Scene path_scene(const PathProblem& problem, const std::vector<JointValues>& way
     }
     scene.bodies[i].motion = from_keyframes(frames, pivot);
   }
-  return scene;
+  return assembled(std::move(scene));
 }
 
 }  // namespace taut

@@ -191,7 +191,7 @@ struct PathExample {
 const PathExample path_examples[] = {
     {"paths/arm.json", PathOutcome::path},   {"paths/bracket.json", PathOutcome::path},
     {"paths/piano.json", PathOutcome::path}, {"paths/piano_long.json", PathOutcome::none},
-    {"paths/reach.json", PathOutcome::none},
+    {"paths/reach.json", PathOutcome::none}, {"paths/excavator.json", PathOutcome::path},
 };
 
 TEST(ExamplePaths, HaveTheStatedOutcomes) {
