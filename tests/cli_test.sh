@@ -84,8 +84,8 @@ rm -f huge.json million.json
 expect 0 'Subcommands' '' --help
 expect 0 'Exit codes' '' --help
 expect 0 '^taut [0-9]' '' --version
-for command in demo import check clearance intervals range separate mechanism envelope path cells swept trace prove verify draw view separator flatten gen schema completion man; do expect 0 'Example' '' "$command" --help; done
-[ "$("$taut" --help | wc -l)" -le 30 ] || { echo "FAILED: --help does not fit a screen"; failures=$((failures + 1)); }
+for command in demo import check clearance intervals range separate mechanism envelope path cells swept follow trace prove verify draw view separator flatten gen schema completion man; do expect 0 'Example' '' "$command" --help; done
+[ "$("$taut" --help | wc -l)" -le 32 ] || { echo "FAILED: --help does not fit a screen"; failures=$((failures + 1)); }
 expect 2 '' 'what is wanted is missing'
 expect 2 '' 'unknown command "chek"' chek x
 expect 2 '' 'did you mean `taut check`' chek x
@@ -202,6 +202,22 @@ grep -q 'fill-rule="evenodd"' way.svg && grep -q '^POLYLINE' way.dxf && grep -q 
   grep -q '"type":"Feature"' way.geojson && grep -q '^{"body":"cart","tolerance":0.1' way.json || { echo "FAILED: files of swept"; failures=$((failures + 1)); }
 expect 0 '"name":"SWEPT"' '1 part, 0 holes' import way.dxf
 expect 0 '^{"body":"wall"' '' swept primitive.json --body wall --json
+cat >valve.json <<'EOF2'
+{"format": "taut-scene/1", "time": [0, 1], "bodies": [
+ {"name": "cam", "polygon": [[-1, -1], [1, -1], [1, 1], [-1, 1]], "motion": {"velocity": [0, 0], "spin_deg": 90}},
+ {"name": "plate", "polygon": [[-3, 1], [3, 1], [3, 1.5], [-3, 1.5]]}]}
+EOF2
+expect 0 '^LIFTED  plate' '' follow valve.json --body plate --reach 2 --csv lift.csv
+expect 0 'at 40 of 40 instants' '' follow valve.json --body plate --reach 2 --instants 40
+expect 0 '"vertex":{"body":"cam","index":2}' '' follow valve.json --body plate --reach 2 --json
+sed 's/\[-3, 1\], \[3, 1\], \[3, 1.5\], \[-3, 1.5\]/[-3, 3], [3, 3], [3, 4], [-3, 4]/' valve.json >above.json
+expect 0 '^NOT LIFTED  plate' '' follow above.json --body plate --reach 2
+[ "$(wc -l <lift.csv)" -eq 361 ] || { echo "FAILED: the table of follow"; failures=$((failures + 1)); }
+expect 2 '' 'give a height at which it is free at all times' follow valve.json --body plate --reach 0.1
+expect 2 '' 'instants: they are not' follow valve.json --body plate --reach 2 --instants 0
+expect 2 '' '--body: there is no body "late"' follow valve.json --body late --reach 2
+expect 2 '' '--reach' follow valve.json --body plate
+expect 3 '' 'the time limit was reached' follow valve.json --body plate --reach 2 --max-seconds 0
 expect 2 '' 'way.pdf: the name does not say which form is wanted' swept primitive.json -o way.pdf
 expect 2 '' '--body: there is no body "car"' swept primitive.json --body car
 expect 2 '' 'the tolerance is too small' swept primitive.json --tolerance 1e-12

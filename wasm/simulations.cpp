@@ -11,6 +11,7 @@
 #include "io/answer_json.hpp"
 #include "io/answer_writer.hpp"
 #include "replies.hpp"
+#include "taut/contact_motions.hpp"
 #include "taut/error.hpp"
 #include "taut/io.hpp"
 #include "taut/simulation.hpp"
@@ -187,6 +188,17 @@ EMSCRIPTEN_KEEPALIVE const char* taut_simulation_next_event(int id) {
 }
 EMSCRIPTEN_KEEPALIVE const char* taut_simulation_resume(int id) {
   return changed(id, [](Simulation& s) { s.resume(); });
+}
+EMSCRIPTEN_KEEPALIVE const char* taut_simulation_stop(int id, int body, double gap) {
+  return changed(id, [&](Simulation& s) { stop(s, body, gap); });
+}
+/// About the hinge (x, y), or along the direction.
+EMSCRIPTEN_KEEPALIVE const char* taut_simulation_push(int id, int body, int hinge, double x, double y, double step,
+                                                      double gap) {
+  return changed(id, [&](Simulation& s) {
+    const Point p{x, y};
+    push(s, body, hinge ? Guide{p, {}} : Guide{std::nullopt, p}, step, gap);
+  });
 }
 EMSCRIPTEN_KEEPALIVE const char* taut_simulation_set_motion(const char* motion, int id, int body) {
   return changed(id, [&](Simulation& s) { s.set_motion(body, motion_in(motion)); });

@@ -27,8 +27,8 @@ void add_demo(const Command& app, Action& action, const std::string& program);
 /// Adds the subcommand of that name.
 using AddCommand = void(const Command& app, Action& action);
 AddCommand add_check, add_clearance, add_intervals, add_range, add_prove, add_verify, add_draw, add_view, add_trace,
-    add_separate, add_mechanism, add_envelope, add_path, add_separator, add_cells, add_swept, add_flatten, add_gen,
-    add_import, add_schema, add_completion, add_man;
+    add_separate, add_mechanism, add_envelope, add_path, add_separator, add_cells, add_swept, add_follow, add_flatten,
+    add_gen, add_import, add_schema, add_completion, add_man;
 
 /// A subcommand before it is defined.
 struct NamedCommand {
@@ -38,14 +38,28 @@ struct NamedCommand {
 };
 
 /// In the order in which `taut --help` lists them, after demo.
-inline constexpr NamedCommand commands[] = {
-    {"check", add_check},       {"clearance", add_clearance}, {"intervals", add_intervals},
-    {"range", add_range},       {"prove", add_prove},         {"verify", add_verify},
-    {"draw", add_draw},         {"view", add_view},           {"trace", add_trace},
-    {"separate", add_separate}, {"mechanism", add_mechanism}, {"envelope", add_envelope},
-    {"path", add_path},         {"separator", add_separator}, {"cells", add_cells},
-    {"swept", add_swept},       {"flatten", add_flatten},     {"gen", add_gen},
-    {"import", add_import},     {"schema", add_schema},       {"completion", add_completion, true},
-    {"man", add_man, true}};
+inline constexpr NamedCommand commands[] = {{"check", add_check},
+                                            {"clearance", add_clearance},
+                                            {"intervals", add_intervals},
+                                            {"range", add_range},
+                                            {"prove", add_prove},
+                                            {"verify", add_verify},
+                                            {"draw", add_draw},
+                                            {"view", add_view},
+                                            {"trace", add_trace},
+                                            {"separate", add_separate},
+                                            {"mechanism", add_mechanism},
+                                            {"envelope", add_envelope},
+                                            {"path", add_path},
+                                            {"separator", add_separator},
+                                            {"cells", add_cells},
+                                            {"swept", add_swept},
+                                            {"follow", add_follow},
+                                            {"flatten", add_flatten},
+                                            {"gen", add_gen},
+                                            {"import", add_import},
+                                            {"schema", add_schema},
+                                            {"completion", add_completion, true},
+                                            {"man", add_man, true}};
 
 }  // namespace taut::cli

@@ -1,12 +1,11 @@
-// Motions that are often wanted at a contact: a body stops, or gives way to what pushes it, or follows a cam.
+// Motions that are often wanted at a contact: a body stops, or gives way to what pushes it. For a follower on a cam see
+// taut/follow.hpp.
 //
 // None of these assumes a law of forces, and between two contacts all motions are exact. A body that stops or gives way
 // is first moved off the contact, along its normal, by a gap that covers the rounding of its new motion.
 #pragma once
 
-#include <cstddef>
 #include <optional>
-#include <vector>
 
 #include "taut/simulation.hpp"
 
@@ -33,22 +32,5 @@ struct Guide {
 /// is not pushed, since the two part, goes on. Goes on with resume(). Throws InputError as stop() does, and where the
 /// guide does not lead away from the contact.
 void push(Simulation& simulation, BodyId body, const Guide& guide, double step, double gap = 0);
-
-/// Where a follower lies on what is below it at one instant, and what touches what.
-struct Lift {
-  TimeInterval time;  ///< encloses the instant
-  Enclosure lift;     ///< at that instant, along the direction, from the place that the scene gives the follower
-  VertexRef vertex;
-  EdgeRef edge;
-};
-
-/// The lift of a follower, which rests in the scene, at about so many instants. In each of as many equal stretches of
-/// the scene's time it comes down evenly, from `reach` to 0 along the direction, a unit vector, and where it meets
-/// another body is an instant and a lift: both enclosed, for the motions as they are given. Where it meets none, there
-/// is no entry: the lift is 0 or less. Assumes that a spring presses the follower onto the cam at all times. Features
-/// between two instants are not seen. Throws InputError, also where the follower does not clear the others at `reach`,
-/// and UndecidedError.
-std::vector<Lift> follow(const Scene& scene, BodyId follower, Point direction, double reach, std::size_t instants,
-                         Touch touch = Touch::open);
 
 }  // namespace taut

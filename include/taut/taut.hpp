@@ -30,6 +30,7 @@
 //   taut/path_proof.hpp  proofs that there is none
 //   taut/cells.hpp       which cells of a grid does a moving body touch?
 //   taut/swept.hpp       which region does a moving body pass over?
+//   taut/follow.hpp      how high does a cam lift its follower?
 //   taut/proof.hpp       the answers with a proof, and the check of a proof
 //   taut/coverage.hpp    which pairs of bodies an answer is about
 //   taut/limits.hpp      when a question gives up
@@ -39,7 +40,7 @@
 //   taut/static_map.hpp  one body among many that rest, asked often
 //   taut/map_query.hpp   what a planner asks of such a map: places, straight motions, chains of links
 //   taut/simulation.hpp  the motion online: step, advance, change a motion, go on after a contact, get the tiling
-//   taut/contact_motions.hpp  what bodies do at a contact: stop, give way, follow a cam
+//   taut/contact_motions.hpp  what bodies do at a contact: stop, give way
 //
 // Scenes
 //   taut/scene.hpp       bodies, motions, time
@@ -67,6 +68,7 @@
 #include "taut/envelope.hpp"
 #include "taut/error.hpp"
 #include "taut/feature.hpp"
+#include "taut/follow.hpp"
 #include "taut/geometry.hpp"
 #include "taut/grid.hpp"
 #include "taut/intervals.hpp"

@@ -18,6 +18,7 @@
 #include "bindings.hpp"
 #include "io/answer_json.hpp"
 #include "scene_text.hpp"
+#include "taut/contact_motions.hpp"
 #include "taut/io.hpp"
 #include "taut/simulation.hpp"
 
@@ -195,6 +196,23 @@ class LiveSimulation {
     return change<std::string>([&] { return to_string(simulation_->resume()); });
   }
 
+  /// At the contact: the body's motion from now on, as a scene of that body alone.
+  std::string stop(int body, double gap) {
+    return change<std::string>([&] {
+      taut::stop(*simulation_, body, gap);
+      return motion_text(body);
+    });
+  }
+  std::string push(int body, const std::optional<std::pair<double, double>>& hinge,
+                   const std::pair<double, double>& direction, double step, double gap) {
+    return change<std::string>([&] {
+      taut::Guide guide{{}, {direction.first, direction.second}};
+      if (hinge) guide.hinge = taut::Point{hinge->first, hinge->second};
+      taut::push(*simulation_, body, guide, step, gap);
+      return motion_text(body);
+    });
+  }
+
   /// `text` is a scene of that body alone, without its parent.
   int add_body(const SceneText& text, const std::string& parent) {
     return change<int>([&] {
@@ -265,6 +283,14 @@ class LiveSimulation {
   }
 
  private:
+  std::string motion_text(int body) const {
+    taut::Scene alone;
+    alone.start = simulation_->scene().start;
+    alone.end = simulation_->scene().end;
+    alone.bodies = {simulation_->scene().bodies[static_cast<std::size_t>(body)]};
+    alone.bodies[0].relative_to.clear();
+    return taut::write_scene(alone);
+  }
   static taut::Motion motion_of(const SceneText& text) { return text.read().bodies.at(0).motion; }
 
   /// Is this a call from a callback?
@@ -338,6 +364,8 @@ void bind_simulations(py::module_& module) {
       .def("set_motion", &LiveSimulation::set_motion)
       .def("set_polynomial", &LiveSimulation::set_polynomial)
       .def("resume", &LiveSimulation::resume)
+      .def("stop", &LiveSimulation::stop)
+      .def("push", &LiveSimulation::push)
       .def("add_body", &LiveSimulation::add_body)
       .def("remove_body", &LiveSimulation::remove_body)
       .def("ignore", &LiveSimulation::ignore)

@@ -23,7 +23,7 @@ which directions they come apart. envelope() says for which combinations of join
 along all motions at once; path() finds a way from a start to a goal, or proves that there is none. check_many() takes arrays of motions, or many scenes, and answers on all processors; sweep()
 does, too, into files. Shape prepares a shape for many scenes, StaticMap a map for bodies that move in it, and Simulation
 goes from event to event, with plans that may change. cells() lists the cells of a grid that a body touches, and
-swept() is the region that it passes over. flatten()
+swept() is the region that it passes over; follow() is the lift of a follower on a cam. flatten()
 makes polygons of curves, scene_from_frame() and answers_frame() are for tables of GeoPandas and pandas, and read_drawing() a scene of SVG, DXF and other drawings. Scene.plot() and Scene.animate() draw
 by matplotlib, and so do the methods plot() of answers.
 
@@ -31,7 +31,7 @@ Errors are TautError; InputError, with place, problem and hint, is a ValueError 
 moments. Functions may be called from several threads, which then run at the same time.
 """
 
-from . import _taut2d, directions, linkages, margins, mechanisms, paths, questions
+from . import _taut2d, directions, followers, linkages, margins, mechanisms, paths, questions
 from .answers import (Answer, Contact, Coverage, EdgeRef, Geometry, PairAnswer, Proof, ProvedCloseness, Verified,
                       VertexRef)
 from .asking import check, prove, verify
@@ -41,6 +41,7 @@ from .mechanisms import *
 from .drawings import Crossing, Drawing, DrawingBody, DrawingFile, Gap, OpenLine, Repair, Skipped, read_drawing
 from .errors import InputError, InternalError, TautError, UndecidedError
 from .flattening import flatten
+from .followers import *
 from .frames import answers_frame, scene_from_frame
 from .linkages import *
 from .many import Outcome, answer_dtype, check_many
@@ -75,6 +76,7 @@ __all__ = [
     "flatten", "prove", "read_drawing", "scene_from_frame", "sweep", "swept", "verify",
 ]
 __all__ += directions.__all__
+__all__ += followers.__all__
 __all__ += mechanisms.__all__
 __all__ += linkages.__all__
 __all__ += margins.__all__

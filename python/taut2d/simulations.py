@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Optional
 
 from . import _taut2d
-from ._numbers import number
+from ._numbers import number, point
 from .answers import Contact, Coverage, PairAnswer, VertexRef, _contact, _pair_answer
 from .errors import InputError
 from .maps import motion_text, plain_motions
@@ -18,6 +18,11 @@ from .scene import Body, Scene, _names, _plain_places
 from .words import FaceKind, SimulationState, Touch
 
 __all__ = ["ContactMotion", "Simulation", "SimulatedContact", "Tiling", "TilingEdge", "TilingFace"]
+
+
+def _only_motion(text: str) -> Optional[Motion]:
+    """Of a scene of one body."""
+    return Scene.from_json(text).bodies[0].motion
 
 
 @dataclass(frozen=True)
@@ -280,6 +285,26 @@ class Simulation:
         contact, with the motions that they had, are in contact again at once. Returns the state. InputError unless the
         state is "contact"."""
         return self._core.resume()
+
+    def stop(self, name: str, *, gap: float = 0.0) -> None:
+        """At a contact, one of its bodies rests from now on, where it is; call resume() then. It is first moved off the
+        contact, along its normal, by ``gap``, which covers the rounding of its new motion; 0: 2^-44 of the largest
+        coordinate. InputError unless the simulation stands at a contact of that body."""
+        self._changed[name] = _only_motion(self._core.stop(self._place(name), number(gap, "gap")))
+
+    def push(self, name: str, *, step: float, hinge: Optional[Sequence[float]] = None,
+             direction: Optional[Sequence[float]] = None, gap: float = 0.0) -> None:
+        """At a contact, the other body pushes this one, which turns about ``hinge`` or slides along ``direction``, both as
+        seen from its parent: it moves evenly for the time ``step``, a sixteenth faster than it is pushed, and then rests
+        until it is caught up with, which is the next contact. Assumes friction enough to stop what is not pushed. A body
+        that is not pushed, since the two part, goes on. Call resume() then. InputError as of stop(), and where the body does
+        not leave the contact that way."""
+        if (hinge is None) == (direction is None):
+            raise InputError("hinge", "neither a hinge nor a direction is given, or both are", "give one of them")
+        about = None if hinge is None else point(hinge, "hinge", "write (x, y)")
+        along = (0.0, 0.0) if direction is None else point(direction, "direction", "write (x, y)")
+        self._changed[name] = _only_motion(
+            self._core.push(self._place(name), about, along, number(step, "step"), number(gap, "gap")))
 
     def advance_many(self, t: float, on_contact: Callable[[SimulatedContact], Any]) -> SimulationState:
         """Like advance_to(), but calls ``on_contact(contact)`` for every contact, and goes on after it. The function may

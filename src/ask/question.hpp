@@ -127,6 +127,7 @@ std::vector<QuestionEntry> proof_questions();
 std::vector<QuestionEntry> envelope_questions();
 std::vector<QuestionEntry> path_questions();
 std::vector<QuestionEntry> swept_questions();
+std::vector<QuestionEntry> follow_questions();
 std::vector<QuestionEntry> cells_questions();
 std::vector<QuestionEntry> flatten_questions();
 std::vector<QuestionEntry> draw_questions();

@@ -466,6 +466,14 @@ export interface SweptRegion {
   parts: { outline: [number, number][]; holes?: [number, number][][] }[];
 }
 
+/** Of follow(): instants at which nothing reaches up to where the scene has the follower are left out. */
+export interface FollowAnswer {
+  body: string;
+  instants: number;
+  lifts: { t: [number, number]; lift: [number, number]; vertex: Feature; edge: Feature }[];
+  scope: { time: [number, number]; touch: Touch };
+}
+
 export interface MechanismAnswer {
   outcome: "moves" | "locked" | "undecided";
   reason?: string;

@@ -136,6 +136,19 @@ export class Simulation {
   advanceMany(t: number, onContact: (contact: TimedContact) => unknown): SimulationState;
   /** Goes on after a contact, usually with other motions. */
   resume(): SimulationState;
+  /**
+   * At a contact: one of its bodies rests from now on, moved off the contact by `gap`, which covers rounding (2^-44 of the
+   * largest coordinate).
+   */
+  stop(name: string, options?: { gap?: number }): void;
+  /**
+   * At a contact: the other body pushes this one, which turns about the hinge or slides along the direction, as its parent
+   * sees them, for the time `step`, a sixteenth faster than it is pushed, and then rests until it is caught up with.
+   */
+  push(
+    name: string,
+    guide: { step: number; hinge: [number, number]; gap?: number } | { step: number; direction: [number, number]; gap?: number },
+  ): void;
   /** Replaces a body's motion from `time` on; null: it rests. It must have the body where it is, up to rounding. */
   setMotion(name: string, motion: Motion): void;
   /** Adds a body from `time` on, which other bodies must not overlap. */

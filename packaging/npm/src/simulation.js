@@ -96,6 +96,14 @@ export class Simulation {
     this.#call("resume");
     return this.state;
   }
+  stop(name, { gap = 0 } = {}) {
+    this.#call("stop", [], this.#place(name), gap);
+  }
+  push(name, { hinge, direction, step, gap = 0 }) {
+    if ((hinge === undefined) === (direction === undefined)) throw new TypeError("give a hinge or a direction");
+    const [x, y] = hinge ?? direction;
+    this.#call("push", [], this.#place(name), hinge ? 1 : 0, x, y, step, gap);
+  }
   setMotion(name, motion) {
     this.#call("set_motion", [motionScene(motion, this.#time)], this.#place(name));
   }

@@ -46,6 +46,35 @@ test("a simulation stops at a contact, takes another motion, and goes on", async
   assert.throws(() => simulation.advanceTo(10), /was freed/);
 });
 
+test("a hammer stops at an anvil, or pushes it away", async () => {
+  const simulation = await taut.Simulation.create(falls);
+  assert.throws(() => simulation.stop("hammer"), taut.TautError);
+  assert.equal(simulation.advanceTo(10), "contact");
+  simulation.stop("hammer");
+  assert.equal(simulation.resume(), "running");
+  assert.equal(simulation.advanceTo(10), "finished");
+  const pushing = await taut.Simulation.create(falls);
+  while (pushing.advanceTo(10) === "contact") {
+    pushing.push("anvil", { direction: [0, -1], step: 0.25 });
+    pushing.resume();
+  }
+  assert.equal(pushing.state, "finished");
+  assert.ok(pushing.contacts > 3, String(pushing.contacts));
+  assert.throws(() => pushing.push("anvil", { step: 1 }), TypeError);
+});
+
+test("a plate follows a cam", async () => {
+  const plate = { name: "plate", polygon: [[-3, 1], [3, 1], [3, 1.5], [-3, 1.5]] };
+  const cam = { name: "cam", polygon: [[-1, -1], [1, -1], [1, 1], [-1, 1]], motion: { velocity: [0, 0], spin_deg: 90 } };
+  const scene = { format: "taut-scene/1", time: [0, 1], bodies: [cam, plate] };
+  const { lifts } = await taut.follow(scene, "plate", 2, { instants: 20 });
+  assert.equal(lifts.length, 20);
+  for (const { t, lift } of lifts) {
+    const top = Math.SQRT2 * Math.cos((Math.PI / 2) * t[0] - Math.PI / 4) - 1;
+    assert.ok(lift[0] - 1e-12 <= top && top <= lift[1] + 1e-12, `${lift} at ${t}`);
+  }
+});
+
 test("a ball bounces between two walls", async () => {
   const walls = [
     { name: "left", polygon: square(-1, 0) },

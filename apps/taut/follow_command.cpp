@@ -1,0 +1,90 @@
+// taut follow: how high does a cam lift its follower?
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "chosen_body.hpp"
+#include "commands.hpp"
+#include "interrupt.hpp"
+#include "report.hpp"
+#include "scene_argument.hpp"
+#include "scene_source.hpp"
+#include "taut/follow.hpp"
+#include "terminal.hpp"
+#include "watched_run.hpp"
+
+namespace taut::cli {
+namespace {
+
+struct FollowArguments {
+  SceneSource scene;
+  std::string body, csv;
+  double direction = 90, reach = 0;
+  FollowOptions options;
+  bool json = false;
+};
+
+std::string in_words(const Scene& scene, BodyId body, const FollowOptions& options, const std::vector<Lift>& lifts) {
+  const std::string& name = scene.bodies[static_cast<std::size_t>(body)].name;
+  if (lifts.empty())
+    return fmt::format("NOT LIFTED  {}   on [{}, {}]\n  at {} instants nothing reaches up to where it is drawn\n", name,
+                       scene.start, scene.end, options.instants);
+  const auto [low, high] =
+      std::minmax_element(lifts.begin(), lifts.end(), [](const Lift& a, const Lift& b) { return a.lift < b.lift; });
+  const auto extreme = [](const Lift& at) { return fmt::format("{:.10g} at t = {:.10g}", at.lift[0], at.time.lo); };
+  double widest = 0;
+  for (const Lift& at : lifts) widest = std::max(widest, at.lift[1] - at.lift[0]);
+  return fmt::format("LIFTED  {}   on [{}, {}]\n  at {} of {} instants, from {} to {}\n  known to {:.3g}\n", name,
+                     scene.start, scene.end, lifts.size(), options.instants, extreme(*low), extreme(*high), widest);
+}
+
+int run_follow(const FollowArguments& arguments) {
+  const Scene scene = load_scene(arguments.scene);
+  FollowOptions options = arguments.options;
+  options.limits.stop = stop_on_signals();
+  const BodyId body = chosen_body(scene, arguments.body);
+  const std::vector<Lift> lifts = watched(scene, arguments.scene.path, [&] {
+    return follow(scene, body, direction_of(arguments.direction), arguments.reach, options);
+  });
+  if (!arguments.csv.empty()) write_output(arguments.csv, follow_csv(lifts));
+  // What goes to standard output is one thing.
+  if (arguments.csv == "-") return exit_free;
+  print_text(arguments.json ? follow_json(scene, body, options, lifts) + "\n" : in_words(scene, body, options, lifts));
+  return exit_free;
+}
+
+}  // namespace
+
+void add_follow(const Command& app, Action& action) {
+  const Command command = app.add_command("follow", "Find the lift of a follower on a cam");
+  const auto arguments = std::make_shared<FollowArguments>();
+  add_scene(command, arguments->scene);
+  command.add_option("--body", arguments->body, "the follower").value("NAME").required();
+  command.add_option("--reach", arguments->reach, "the lift at which it clears all other bodies at all times")
+      .value("X")
+      .positive()
+      .required();
+  command
+      .add_option("--direction-deg", arguments->direction,
+                  "along which it is lifted, counterclockwise from the x axis (90)")
+      .value("A");
+  command.add_option("--instants", arguments->options.instants, "at about how many instants (360)").value("N");
+  add_touch(command, arguments->options.touch);
+  command.add_option("--csv", arguments->csv, "write the lifts to FILE, with their bounds (- is standard output)")
+      .value("FILE");
+  add_max_seconds(command, arguments->options.limits);
+  command.add_flag("--json", arguments->json, "print one JSON object");
+  command.footer(
+      "Example:\n"
+      "  taut follow examples/curves/cam.json --body roller --reach 20\n"
+      "\n"
+      "The follower is pressed onto the cam at all times. Its lift is counted from where the scene has it, and is not "
+      "known\n"
+      "where nothing reaches up to there. Every instant and every lift is enclosed; what touches only between two "
+      "instants is\n"
+      "not seen.\n");
+  command.on_chosen([&action, arguments] { action = [arguments] { return run_follow(*arguments); }; });
+}
+
+}  // namespace taut::cli
