@@ -15,9 +15,7 @@ namespace {
 const std::vector<QuestionEntry>& entries() {
   static const std::vector<QuestionEntry> all = [] {
     std::vector<QuestionEntry> joined;
-    for (const auto& family : {contact_questions, distance_questions, overlap_questions, separate_questions,
-                               mechanism_questions, proof_questions, envelope_questions, path_questions,
-                               swept_questions, follow_questions, cells_questions, flatten_questions, draw_questions}) {
+    for (const auto& family : question_families) {
       for (const QuestionEntry& entry : family()) joined.push_back(entry);
     }
     return joined;

@@ -5,6 +5,7 @@
 // look up the types of their options there.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <iosfwd>
@@ -131,5 +132,10 @@ std::vector<QuestionEntry> follow_questions();
 std::vector<QuestionEntry> cells_questions();
 std::vector<QuestionEntry> flatten_questions();
 std::vector<QuestionEntry> draw_questions();
+
+inline constexpr std::array question_families{
+    contact_questions, distance_questions, overlap_questions, separate_questions, mechanism_questions,
+    proof_questions,   envelope_questions, path_questions,    swept_questions,    follow_questions,
+    cells_questions,   flatten_questions,  draw_questions};
 
 }  // namespace taut::internal
