@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "draw/world_shapes.hpp"
 #include "io/json_text.hpp"
 #include "io/number_text.hpp"
 #include "scene/linkage.hpp"
@@ -65,6 +66,8 @@ std::string page_text(const Linkage& linkage, const Envelope& answer, const Enve
   std::string s = "{" + (options.title.empty() ? std::string() : "\"title\":" + io::string_text(options.title) + ",");
   s += "\"envelope\":" + envelope_json(linkage, answer, options.tolerance, true) + ",\"bodies\":[";
   for (std::size_t k = 0; k < linkage.scene.bodies.size(); ++k) s += (k ? "," : "") + body_text(linkage, k);
+  s += "],\"colours\":[";
+  for (std::size_t k = 0; k < io::body_styles; ++k) s += (k ? "," : "") + io::string_text(io::body_style(k).fill);
   return s + "]}";
 }
 

@@ -3,6 +3,7 @@ import { h } from "./dom";
 import type { Scene, WorldStyles } from "./engine";
 import { heightsOf, heightsText, layersOf, layersText, type Hidden } from "./heights";
 import { treeOf, type Branch } from "./shapes";
+import { pairStyles } from "./theme";
 
 /** So many ignored pairs are listed; the others are counted. */
 const mostPairs = 20;
@@ -79,9 +80,10 @@ export class BodyTree {
     const { name } = scene.bodies[body];
     const box = this.box(this.host.hidden.bodies, body, name);
     const heights = layersText(scene.bodies[body]);
-    const style = world?.styles[body % world.styles.length];
+    const styles = world?.styles ?? pairStyles;
+    const [background, borderColor, color] = styles[body % styles.length];
     const chip = h("i", { class: "number", "aria-hidden": "true" }, String(body + 1));
-    if (style) Object.assign(chip.style, { background: style[0], borderColor: style[1], color: style[2] });
+    Object.assign(chip.style, { background, borderColor, color });
     const below = children.map((child) => this.branch(scene, world, child));
     return h(
       "li",

@@ -149,11 +149,9 @@ export class Painter {
       }
     }
     c.closePath();
-    c.globalAlpha = 0.92;
     c.fillStyle = colours.bodyFill[body];
     c.fill();
-    c.globalAlpha = 1;
-    c.strokeStyle = colours.bodyLine[body];
+    c.strokeStyle = colours.worldLine || colours.bodyLine[body];
     c.lineWidth = kept.length > 1500 ? 0.8 : 1.3;
     c.stroke();
     if (layers.vertices && kept.length === figure.size) this.drawVertices(outline, colours.bodyLine[body]);

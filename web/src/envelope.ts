@@ -3,10 +3,10 @@
 import { h, iconButton } from "./dom";
 import { Labels } from "./labels";
 import { CellIndex, placementOf, type Cell, type CellState, type EnvelopePage, type LinkedBody } from "./linkage";
+import { saveFile } from "./files";
 import { roundText } from "./words";
 
 const margin = { left: 64, right: 16, top: 16, bottom: 44 };
-const hues = [211, 24, 152, 280, 45, 330, 190, 90];
 const svgSpace = "http://www.w3.org/2000/svg";
 
 class EnvelopeViewer {
@@ -74,6 +74,11 @@ class EnvelopeViewer {
           { type: "button", id: "copy", title: "The joint values as JSON", onclick: () => void this.copy() },
           "Copy pose",
         ),
+        h(
+          "button",
+          { type: "button", id: "svg", title: "The bodies as a picture", onclick: () => this.save() },
+          "Save SVG",
+        ),
         iconButton("theme", "Light or dark", () => this.toggleTheme(), "t"),
       ),
       h("div", { class: "map" }, this.canvas),
@@ -115,6 +120,23 @@ class EnvelopeViewer {
     await navigator.clipboard.writeText(JSON.stringify(pose));
   }
 
+  /** The bodies as they are shown: a picture on its own has no style sheet of the page. */
+  private save(): void {
+    const picture = this.svg.cloneNode(true) as SVGSVGElement;
+    const ruled = "path, text";
+    const properties = ["fill-opacity", "fill", "stroke", "stroke-width", "stroke-linejoin", "vector-effect"];
+    const ofText = ["paint-order", "text-anchor", "font-family", "font-weight"];
+    const from = [...this.svg.querySelectorAll(ruled)];
+    [...picture.querySelectorAll(ruled)].forEach((copy, i) => {
+      const style = getComputedStyle(from[i]!);
+      for (const name of copy.tagName === "text" ? [...properties, ...ofText] : properties)
+        copy.setAttribute(name, style.getPropertyValue(name));
+    });
+    picture.setAttribute("xmlns", svgSpace);
+    picture.style.background = getComputedStyle(document.body).backgroundColor;
+    saveFile(picture.outerHTML, `${this.data.title ?? "pose"}.svg`, "image/svg+xml");
+  }
+
   private toggleTheme(): void {
     const { dataset } = document.documentElement;
     dataset.theme = dataset.theme === "dark" ? "light" : "dark";
@@ -150,7 +172,7 @@ class EnvelopeViewer {
 
   private pictureOf(body: LinkedBody, k: number): SVGGElement {
     const picture = document.createElementNS(svgSpace, "g");
-    picture.setAttribute("fill", `hsl(${hues[k % hues.length]} 55% 60%)`);
+    picture.setAttribute("fill", this.data.colours[k % this.data.colours.length]!);
     picture.setAttribute("fill-rule", "evenodd");
     const title = document.createElementNS(svgSpace, "title");
     title.textContent = body.name;

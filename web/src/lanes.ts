@@ -237,8 +237,10 @@ function drawCurve(place: Place, curve: DistanceCurve, t: number, least: Nearest
   c.stroke();
   const now = curve.stretches.find(([from, to]) => from <= t && t <= to);
   const words = now ? `distance now: ${roundText(now[2], 4)} to ${roundText(now[3], 4)}` : "distance";
-  const greatest = curve.largest;
-  write(place, `${words}; greatest ${roundText(greatest.hi, 6)} at t = ${roundText(greatest.t)}`);
+  const greatest = `greatest ${roundText(curve.largest.hi, 6)}`;
+  const longest = `${words}; ${greatest} at t = ${roundText(curve.largest.t)}`;
+  const fits = (text: string): boolean => c.measureText(text).width < width - 2 * edge;
+  write(place, [longest, `${words}; ${greatest}`].find(fits) ?? words);
   if (least) return;
   const [at, lo] = curve.instants.reduce((a, b) => (b[1] < a[1] ? b : a));
   dot(place, x(at), y(lo), colours.distance);

@@ -46,6 +46,8 @@ export interface EnvelopePage {
     cells: Cell[];
   };
   bodies: LinkedBody[];
+  /** Those of bodies in all pictures; they come again after the last. */
+  colours: string[];
 }
 
 /** The point (u, v) of the body is at (x + c u - s v, y + s u + c v). */

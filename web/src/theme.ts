@@ -8,7 +8,7 @@ export interface Colours {
   line: string;
   bodyFill: string[];
   bodyLine: string[];
-  /** Around the bodies of a world; empty: a darker shade of each one's own. */
+  /** Around bodies; empty: a darker shade of each one's own. */
   worldLine: string;
   /** Around curves: what their polygons leave between them. */
   band: string;
@@ -45,7 +45,7 @@ const palette: { [Name in keyof Colours]: [Colours[Name], Colours[Name]] } = {
   line: ["#d5dce3", "#2c3844"],
   bodyFill: [
     ["#2a6f9e", "#e59345"],
-    ["#3f7fc0", "#cf7a3a"],
+    ["#2a6f9e", "#e59345"],
   ],
   bodyLine: [
     ["#032e4b", "#683e15"],
@@ -83,6 +83,12 @@ function shade(dark: 0 | 1): Colours {
 }
 const light = shade(0);
 const dark = shade(1);
+
+/** Of two bodies, as the library has those of many: fill, line, and what is written on the fill. */
+export const pairStyles: [string, string, string][] = [
+  ["#2a6f9e", "#032e4b", "#fff"],
+  ["#e59345", "#683e15", "#000"],
+];
 
 /** For handles on a body, whichever it is. */
 export const lineOf = (colours: Colours, body: number): string => colours.bodyLine[body] ?? colours.ink;

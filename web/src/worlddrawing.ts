@@ -13,6 +13,8 @@ import type { Colours } from "./theme";
 
 /** From so far on, in pixels, a number does not touch the boundary of its body. */
 const roomForNumber = 8;
+/** With more bodies, numbers are also drawn where another body lies over them: to look at each pair takes too long. */
+const mostLookedThrough = 100;
 /** Half the length of the rails of a slide, and how far they are from its middle, in pixels. */
 const railHalf = 12;
 const railGap = 8;
@@ -34,9 +36,14 @@ export class WorldPainter {
     const shown = this.sheets(frame, world).filter(({ body, z }) => !frame.hidden.hides(body, z));
     let vertices = 0;
     if (layers.proof && layers.tiling && frame.tilings && !frame.hidden.any) this.tilings(frame.tilings(), colours);
-    for (const sheet of shown) vertices += this.sheet(frame, sheet, world, layers, colours);
+    const painted = shown.map((sheet) => {
+      const paths = sheet.parts.map((part) => this.partPath(frame, sheet.body, frame.shapes[sheet.body].parts[part]));
+      vertices += this.sheet(frame, sheet, paths, world, layers, colours);
+      return paths;
+    });
     this.numbers.clear();
-    for (const sheet of shown) this.number(frame, sheet, world);
+    const above = (k: number): Path2D[] => (shown.length > mostLookedThrough ? [] : painted.slice(k + 1).flat());
+    shown.forEach((sheet, k) => this.number(frame, sheet, world, above(k)));
     const seen = new Set(shown.map(({ body }) => body));
     for (const joint of world.joints) if (seen.has(joint[0])) this.joint(frame, joint, colours);
     for (const pair of frame.overlaps) this.overlap(frame, pair, colours);
@@ -68,12 +75,18 @@ export class WorldPainter {
     }
   }
 
-  private sheet(frame: Frame, sheet: Sheet, world: WorldStyles, layers: Layers, colours: Colours): number {
+  private sheet(
+    frame: Frame,
+    sheet: Sheet,
+    paths: Path2D[],
+    world: WorldStyles,
+    layers: Layers,
+    colours: Colours,
+  ): number {
     const c = this.context;
     const { body } = sheet;
     const parts = sheet.parts.map((part) => frame.shapes[body].parts[part]);
     const [fill, line] = world.styles[body % world.styles.length];
-    const paths = parts.map((rings) => this.partPath(frame, body, rings));
     c.fillStyle = fill;
     c.strokeStyle = colours.worldLine || line;
     // Half of the line is covered again where several parts are filled.
@@ -146,11 +159,19 @@ export class WorldPainter {
     }
   }
 
-  private number(frame: Frame, { body, parts }: Sheet, world: WorldStyles): void {
+  /** Of what lies over the body: a number below it would be read as its own. */
+  private covers(paths: Path2D[], x: number, y: number): boolean {
+    const c = this.context;
+    const { a } = c.getTransform();
+    return paths.some((path) => c.isPointInPath(path, x * a, y * a, "evenodd"));
+  }
+
+  private number(frame: Frame, { body, parts }: Sheet, world: WorldStyles, above: Path2D[]): void {
     const [u, v, room, part] = world.inner[body] ?? [0, 0, 0, 0];
     if (room * this.camera.scale < roomForNumber || !parts.includes(part)) return;
     const c = this.context;
     const [x, y] = this.camera.pixel(...placed(frame.poses[body], u, v));
+    if (this.covers(above, x, y)) return;
     c.font = "600 11px system-ui, sans-serif";
     const text = String(body + 1);
     const { width } = c.measureText(text);

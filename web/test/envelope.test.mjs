@@ -106,6 +106,21 @@ test("the page has names, a legend with shares, round ticks, and a look to choos
   await page.click("#copy");
   const pose = JSON.parse(await page.evaluate(() => navigator.clipboard.readText()));
   assert.deepEqual(Object.keys(pose), ["lift", "tilt"]);
+  // The picture that is saved looks as on the page, without the page's style.
+  const [download] = await Promise.all([page.waitForEvent("download"), page.click("#svg")]);
+  assert.equal(download.suggestedFilename(), "loader.svg");
+  const file = join(artefacts, "envelope-pose.svg");
+  await download.saveAs(file);
+  const looks = (svg) => {
+    const style = (e) => ["fill", "stroke", "strokeWidth", "display"].map((k) => getComputedStyle(e)[k]);
+    return [...svg.querySelectorAll("path, text")].map((e) => style(e).join());
+  };
+  const shown = await page.$eval(".pose svg", looks);
+  const alone = await browser.newPage();
+  await alone.goto(pathToFileURL(file).href);
+  assert.deepEqual(await alone.$eval("svg", looks), shown);
+  assert.ok(shown.length >= 8 && new Set(shown).size >= 4, "bodies in several colours, and names");
+  await alone.close();
   assert.deepEqual(page.problems, []);
   await page.close();
 });

@@ -494,10 +494,34 @@ test("the vertices of a hole are dragged, added and removed, and with the third 
 
 test("the picture that the playground saves is that of the command", async () => {
   const page = await playground("worlds/drawer");
-  const svg = await page.evaluate(() => window.taut.player.engine.svg(1e9));
+  const svg = await page.evaluate(() => window.taut.player.engine.svg(1e9, true));
   const file = join(artefacts, "saved-drawer.json");
   writeFileSync(file, JSON.stringify(await sceneOf(page)));
   assert.equal(svg, run("draw", file));
+  await page.close();
+});
+
+test("no body shows the number of one below it", async () => {
+  const page = await openPage(site.browser, viewPage("examples/worlds/layers.json", "numbers"));
+  // Each blade has its number while it is seen; closed, the upper one covers that of the lower one.
+  const numbers = (t) =>
+    page.evaluate((at) => {
+      const context = document.querySelector(".picture").getContext("2d");
+      const drawn = [];
+      const fillText = context.fillText.bind(context);
+      context.fillText = (text, x, y) => {
+        // Not the scale, which has a number, too.
+        if (!text.match(/\D/) && x > 30) drawn.push(text);
+        fillText(text, x, y);
+      };
+      window.taut.player.seek(at);
+      window.taut.stage.draw();
+      context.fillText = fillText;
+      return drawn.sort();
+    }, t);
+  assert.deepEqual(await numbers(0), ["1", "2", "3"]);
+  assert.deepEqual(await numbers(1), ["2", "3"]);
+  assert.deepEqual(page.problems, []);
   await page.close();
 });
 
