@@ -155,6 +155,13 @@ std::string picture(const Scene& scene, Touch touch, double t) {
   return draw_svg(scene, simulation.tiling(), options);
 }
 
+/// Without the tiling: at the contact, that is marked; nothing after it.
+std::string picture_of_bodies(const Recording& r, double t) {
+  const Answer answer = r.answer();
+  const bool met = answer.contact && t >= answer.contact->time.lo;
+  return draw_svg(r.scene(), met ? answer.contact->time.lo : t, met ? marked(answer) : DrawOptions{});
+}
+
 }  // namespace
 }  // namespace taut::web
 
@@ -271,10 +278,12 @@ EMSCRIPTEN_KEEPALIVE const char* taut_tilings(double t) {
       [&](Scene&) { return "{\"lines\":" + io::array_text(world ? world->tilings(t) : std::vector<double>()) + "}"; });
 }
 
-/// The simulation's own view of a time, to compare a replay with: {"svg": ...}.
-EMSCRIPTEN_KEEPALIVE const char* taut_svg(double t) {
+/// A picture of an instant: {"svg": ...}. With the proof, it is the simulation's own view, to compare a replay with.
+EMSCRIPTEN_KEEPALIVE const char* taut_svg(double t, int proof) {
   return answered([&](Scene&) {
-    const std::string svg = world ? world->picture(t) : picture(current().scene(), current().touch(), t);
+    const std::string svg = world        ? world->picture(t, proof != 0)
+                            : proof != 0 ? picture(current().scene(), current().touch(), t)
+                                         : picture_of_bodies(current(), t);
     return "{\"svg\":" + io::string_text(svg) + "}";
   });
 }

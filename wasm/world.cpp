@@ -110,10 +110,10 @@ double World::end() const {
   return answer_.outcome == Outcome::overlap_at_start ? scene_.start : answer_.free_until;
 }
 
-std::string World::picture(double t) const {
+std::string World::picture(double t, bool proof) const {
   const double shown = std::min(t, end());
   DrawOptions options = shown == end() ? marked(answer_) : DrawOptions{};
-  if (!curves_) options.tilings = tilings_of_near_pairs(scene_, shown, touch_);
+  if (proof && !curves_) options.tilings = tilings_of_near_pairs(scene_, shown, touch_);
   return draw_svg(scene_, shown, options);
 }
 

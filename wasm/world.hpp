@@ -26,8 +26,8 @@ class World {
   /// The bands of its curves, which decided; finer where they are far from what happens, so that they do not hide it.
   /// Null if there are none.
   const CurvedWorld* curves() const { return curves_ ? &*curves_ : nullptr; }
-  /// The picture of an instant, marked if it is the last one.
-  std::string picture(double t) const;
+  /// The picture of an instant, marked if it is the last one; with the tilings of near pairs, if the proof is wanted.
+  std::string picture(double t, bool proof) const;
   /// The tilings of the pairs that are near at t, up to the end: five numbers for each line, its ends in the world, and
   /// 1 if it joins two bodies. None where making them takes too long for a page that is drawn, and of curves.
   std::vector<double> tilings(double t) const;

@@ -83,7 +83,7 @@ async function page(name, script, style = "src/style.css") {
 }
 
 await mkdir(out, { recursive: true });
-await page("index.html", "src/playground.ts");
+await page("index.html", "src/playgroundpage.ts");
 for (const [name, ...of] of [
   ["viewer.html", "src/viewer.ts"],
   ["envelope.html", "src/envelope.ts", "src/envelope.css"],

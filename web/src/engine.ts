@@ -253,7 +253,7 @@ interface Module {
   _taut_change_plan(text: number, body: number): number;
   _taut_poses(t: number): number;
   _taut_tilings(t: number): number;
-  _taut_svg(t: number): number;
+  _taut_svg(t: number, proof: number): number;
   _taut_array(which: number): number;
   _taut_array_size(which: number): number;
 }
@@ -324,8 +324,9 @@ export class Engine {
     return this.call<{ lines: number[] }>([], () => this.module._taut_tilings(t)).lines;
   }
 
-  svg(t: number): string {
-    return this.call<{ svg: string }>([], () => this.module._taut_svg(t)).svg;
+  /** The picture of an instant: the bodies, with the tilings between them if the proof is wanted. */
+  svg(t: number, proof: boolean): string {
+    return this.call<{ svg: string }>([], () => this.module._taut_svg(t, proof ? 1 : 0)).svg;
   }
 
   /** Of every body of the scene that is open, parents included. */

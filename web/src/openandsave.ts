@@ -1,4 +1,4 @@
-// The tools in the header: examples and files in, links, files and pictures out.
+// The tools in the header: examples and files in, links out.
 import { h } from "./dom";
 import type { Scene } from "./engine";
 
@@ -7,32 +7,28 @@ export interface Example {
   scene: Scene;
 }
 
-export interface OpenAndSaveHost {
+export interface OpenHost {
   open(example: Example): void;
   read(files: File[]): Promise<void>;
   share(): Promise<void>;
-  saveScene(): void;
-  savePicture(): void;
 }
 
-/** Those that the page brings with it, by their names. */
+/** Those that the page brings with it, by their names: none, if it is the viewer's. */
 export function pageExamples(): Record<string, Example> {
-  return JSON.parse(document.getElementById("taut-examples")!.textContent!) as Record<string, Example>;
+  return JSON.parse(document.getElementById("taut-examples")?.textContent ?? "{}") as Record<string, Example>;
 }
 
-export function headerTools(examples: Record<string, Example>, host: OpenAndSaveHost): HTMLElement[] {
+export function headerTools(examples: Record<string, Example>, host: OpenHost): HTMLElement[] {
   const button = (id: string, label: string, title: string, action: () => void): HTMLButtonElement =>
     h("button", { type: "button", id, title, onclick: action }, label);
   return [
-    exampleSelect(examples, host),
+    ...(Object.keys(examples).length > 0 ? [exampleSelect(examples, host)] : []),
     fileButton(host),
     button("share", "Copy link", "A link with the whole scene in it", () => void host.share()),
-    button("export", "Save scene", "The scene as a file for taut", () => host.saveScene()),
-    button("svg", "Save SVG", "The instant shown as a picture", () => host.savePicture()),
   ];
 }
 
-function exampleSelect(examples: Record<string, Example>, host: OpenAndSaveHost): HTMLElement {
+function exampleSelect(examples: Record<string, Example>, host: OpenHost): HTMLElement {
   const select = h(
     "select",
     {
@@ -50,7 +46,7 @@ function exampleSelect(examples: Record<string, Example>, host: OpenAndSaveHost)
   return select;
 }
 
-function fileButton(host: OpenAndSaveHost): HTMLElement {
+function fileButton(host: OpenHost): HTMLElement {
   const file = h("input", {
     type: "file",
     id: "file",
@@ -65,16 +61,10 @@ function fileButton(host: OpenAndSaveHost): HTMLElement {
 }
 
 /** Files dropped on the element are read like those that are opened. */
-export function acceptDrops(element: HTMLElement, host: OpenAndSaveHost): void {
+export function acceptDrops(element: HTMLElement, host: OpenHost): void {
   element.addEventListener("dragover", (e) => e.preventDefault());
   element.addEventListener("drop", (e) => {
     e.preventDefault();
     void host.read([...(e.dataTransfer?.files ?? [])]);
   });
-}
-
-export function saveFile(text: string, name: string, type: string): void {
-  const link = h("a", { href: URL.createObjectURL(new Blob([text], { type })), download: name });
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), 10000);
 }

@@ -1,20 +1,20 @@
 // The page for trying things out: scenes are opened, changed by hand, shared and saved.
 import { Changes, type Base } from "./changes";
-import { h } from "./dom";
 import { Editor } from "./editing";
 import { EditPanel, modeOfKey } from "./editpanel";
-import { type Decisions, Engine, type Part, type Pose, type Scene } from "./engine";
+import type { Decisions, Part, Pose, Scene } from "./engine";
 import { FaultMessage, culprits } from "./faultmessage";
 import type { Mode } from "./handles";
 import { History } from "./history";
 import { besideOthers, withOutline } from "./importing";
 import { ImportReport } from "./importreport";
 import { keyframesOf, motionOf, piecesOf, sampled, withKeyframe, type Keyframe } from "./motions";
-import { acceptDrops, headerTools, pageExamples, saveFile, type Example, type OpenAndSaveHost } from "./openandsave";
-import { Player } from "./player";
+import { acceptDrops, headerTools, pageExamples, type Example, type OpenHost } from "./openandsave";
+import type { Player } from "./player";
 import { PathText } from "./pathtext";
+import { SaveMenu } from "./saving";
 import { SceneText } from "./scenetext";
-import { fromFragment, shareLink } from "./sharing";
+import { fromFragment, shareLink, type Shared } from "./sharing";
 import { Workbench } from "./workbench";
 import { WorldEditing } from "./worldediting";
 import { roundText } from "./words";
@@ -22,7 +22,12 @@ import { roundText } from "./words";
 const firstExample = "lid";
 const undecided: Decisions = { open: "error", crossing: "error" };
 
-class Playground {
+/** What is opened first, unless the address has a scene. */
+export interface Begin extends Shared {
+  title: string | null;
+}
+
+export class Playground {
   private readonly workbench: Workbench;
   private readonly editor: Editor;
   private readonly examples = pageExamples();
@@ -36,6 +41,7 @@ class Playground {
   private readonly report = new ImportReport((decided) => this.readAgain(decided));
   /** The drawing that was read last. */
   private drawing = { text: "", name: "", decided: undecided };
+  private first: Begin | null = null;
   /** The last scene that could be opened, for plan changes and undoing. */
   private valid!: Scene;
 
@@ -73,10 +79,18 @@ class Playground {
     return this.workbench.element;
   }
 
-  async begin(): Promise<void> {
+  /** Without a scene to begin with, the page's first example. */
+  async begin(first: Begin | null = null): Promise<void> {
     this.setMode("look");
-    if (!(await this.fromAddress())) this.loadExample(this.examples[firstExample]);
+    this.first = first;
+    if (!(await this.fromAddress())) this.loadFirst();
     Object.assign(window, { taut: this.workbench, playground: this });
+  }
+
+  private loadFirst(): void {
+    const { first } = this;
+    if (!first) return this.loadExample(this.examples[firstExample]);
+    this.load(this.player.engine.readScene(JSON.stringify(first.scene), "scene"), first.title, first.touch);
   }
 
   private newChanges(): Changes {
@@ -114,14 +128,18 @@ class Playground {
     stage.tool = this.editor;
     this.editor.onChoose = () => this.showBody();
     stage.onDoubleClick = (x, y) => this.editor.addVertex(x, y);
-    const host: OpenAndSaveHost = {
+    const host: OpenHost = {
       open: (example) => this.loadExample(example),
       read: (files) => this.readFiles(files),
       share: () => this.share(),
-      saveScene: () => saveFile(JSON.stringify(this.editor.scene, null, 1), "scene.json", "application/json"),
-      savePicture: () => this.savePicture(),
     };
-    tools.append(...headerTools(this.examples, host), this.history.undoButton, this.history.redoButton);
+    const menu = new SaveMenu(this.workbench, {
+      name: () => "scene",
+      scene: () => this.editor.scene,
+      refuse: (error, what) => this.refuse(error, what),
+    });
+    const { undoButton, redoButton } = this.history;
+    tools.append(...headerTools(this.examples, host), menu.element, undoButton, redoButton);
     side.insertBefore(this.report.element, side.children[1]);
     side.insertBefore(this.panel.element, side.children[2]);
     this.workbench.bodiesPart.append(this.worldEditing.panel.element);
@@ -140,8 +158,8 @@ class Playground {
       this.load(scene, null, shared.touch === "closed" ? "closed" : "open");
     } catch (error) {
       const first = this.editor.scene === undefined;
-      if (first) this.loadExample(this.examples[firstExample]);
-      const shown = first ? "an example" : "the one from before";
+      if (first) this.loadFirst();
+      const shown = !first ? "the one from before" : this.first ? "the page's own" : "an example";
       this.refuse(error, `The link holds no scene that can be read. The scene shown is ${shown}.`);
     }
     return true;
@@ -343,14 +361,6 @@ class Playground {
     this.panel.note = await shareLink({ scene: this.valid, touch: this.panel.touch });
   }
 
-  private savePicture(): void {
-    try {
-      saveFile(this.player.engine.svg(this.player.t), "scene.svg", "image/svg+xml");
-    } catch (error) {
-      this.refuse(error, "There is no picture to save.");
-    }
-  }
-
   private key(e: KeyboardEvent): void {
     const target = e.target as HTMLElement;
     if (target.matches("textarea, select, input:not([type=range]):not([type=checkbox])")) return;
@@ -382,15 +392,3 @@ class Playground {
 }
 
 const notOpened = (name: string): string => `${name} was not opened. The scene shown is the one from before.`;
-
-async function main(): Promise<void> {
-  const playground = new Playground(new Player(await Engine.load()));
-  document.body.replaceChildren(playground.element);
-  await playground.begin();
-}
-
-main().catch((error: unknown) => {
-  document.body.replaceChildren(
-    h("main", { class: "fatal" }, h("h1", {}, "The playground cannot start"), h("p", {}, String(error))),
-  );
-});

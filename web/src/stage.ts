@@ -103,6 +103,14 @@ export class Stage {
     this.tool?.draw(this.canvas.getContext("2d")!, this.camera, colours);
   }
 
+  /** The picture without what the tool draws over it. */
+  drawAlone(): void {
+    const { tool } = this;
+    this.tool = null;
+    this.draw();
+    this.tool = tool;
+  }
+
   /** Shows everything that the bodies pass over, as far as it is known. */
   fit(): void {
     this.moved = false;

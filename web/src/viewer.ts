@@ -1,9 +1,11 @@
-// The page of `taut view`: one scene, kept in the page itself.
+// The page of `taut view`: one scene, kept in the page itself. It has the playground inside, too.
 import { h } from "./dom";
 import { Engine, TautError, inParts, type Scene } from "./engine";
-import { saveFile } from "./openandsave";
+import { FaultMessage } from "./faultmessage";
 import { Player } from "./player";
+import { Playground } from "./playground";
 import type { Asked } from "./questions";
+import { SaveMenu } from "./saving";
 import { Workbench } from "./workbench";
 
 interface Data {
@@ -15,27 +17,44 @@ interface Data {
   scene: Scene;
 }
 
-async function main(): Promise<void> {
-  const data = JSON.parse(document.getElementById("taut-data")!.textContent!) as Data;
-  const player = new Player(await Engine.load());
+/** With this behind its address, or with a scene as the playground shares it, the page is the playground. */
+const playgroundMark = "#playground";
+const isPlayground = (): boolean => location.hash === playgroundMark || location.hash.startsWith("#s=");
+
+function viewer(player: Player, data: Data): void {
   const workbench = new Workbench(player);
   workbench.title = data.title ?? null;
   workbench.questions.asked = data.ask ?? {};
-  const name = data.title ?? "scene";
-  const tool = (id: string, label: string, title: string, action: () => void): HTMLElement =>
-    h("button", { type: "button", id, title, onclick: action }, label);
-  workbench.headerTools.append(
-    tool("export", "Save scene", "The scene as a file for taut", () =>
-      saveFile(JSON.stringify(data.scene, null, 1), `${name}.json`, "application/json"),
-    ),
-    tool("svg", "Save SVG", "The instant shown as a picture", () =>
-      saveFile(player.engine.svg(player.t), `${name}.svg`, "image/svg+xml"),
-    ),
+  const message = new FaultMessage();
+  const menu = new SaveMenu(workbench, {
+    name: () => data.title ?? "scene",
+    scene: () => data.scene,
+    refuse: (error, what) => message.show(error, what),
+  });
+  const edit = h(
+    "a",
+    { class: "button", id: "edit", href: playgroundMark, title: "Change the scene, in this page" },
+    "Open in playground",
   );
+  workbench.headerTools.append(menu.element, edit);
+  workbench.stage.element.append(message.element);
   player.open(inParts(data.scene), data.touch === "closed", data.at);
   document.body.replaceChildren(workbench.element);
   workbench.opened();
   Object.assign(window, { taut: workbench });
+}
+
+async function main(): Promise<void> {
+  const data = JSON.parse(document.getElementById("taut-data")!.textContent!) as Data;
+  const player = new Player(await Engine.load());
+  const was = isPlayground();
+  addEventListener("hashchange", () => {
+    if (isPlayground() !== was) location.reload();
+  });
+  if (!was) return viewer(player, data);
+  const playground = new Playground(player);
+  document.body.replaceChildren(playground.element);
+  await playground.begin({ scene: data.scene, touch: data.touch, title: data.title ?? null });
 }
 
 main().catch((error: unknown) => {

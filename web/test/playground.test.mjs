@@ -13,6 +13,7 @@ import {
   pixelsOf,
   root,
   run,
+  save,
   screenshot,
   settled,
   shownTime,
@@ -524,16 +525,28 @@ test("scenes, WKT and GeoJSON are opened and dropped; scenes and pictures are sa
   await page.waitForFunction(() => !document.querySelector("#message").hidden);
   assert.match(await page.textContent("#message"), /bad\.json:1:\d+: unknown key "tiem"/);
   await choose(page, "lid");
-  const [download] = await Promise.all([page.waitForEvent("download"), page.click("#export")]);
-  const saved = join(artefacts, "saved.json");
-  await download.saveAs(saved);
+  const saved = await save(page, "#export", "saved.json");
   assert.deepEqual(check(saved), check("examples/lid.json"));
   await page.evaluate(() => window.taut.player.seek(50));
-  const [picture] = await Promise.all([page.waitForEvent("download"), page.click("#svg")]);
-  await picture.saveAs(join(artefacts, "saved.svg"));
-  assert.equal(readFileSync(join(artefacts, "saved.svg"), "utf8"), run("draw", "examples/lid.json", "--at", "50"));
+  await page.keyboard.press("p");
+  const picture = await save(page, "#svg", "saved.svg");
+  assert.equal(readFileSync(picture, "utf8"), run("draw", "examples/lid.json", "--at", "50"));
   assert.deepEqual(page.problems, []);
   await page.close();
+});
+
+test("two bodies have the colours of many: in the picture, light and dark, and in the list", async () => {
+  for (const colorScheme of ["light", "dark"]) {
+    const page = await open({ colorScheme });
+    const list = () => page.$$eval("#bodies .number", (all) => all.map((e) => getComputedStyle(e).backgroundColor));
+    const two = await list();
+    assert.deepEqual(two, ["rgb(42, 111, 158)", "rgb(229, 147, 69)"]);
+    assert.ok((await pixelsOf(page, "#2a6f9e")) > 500 && (await pixelsOf(page, "#e59345")) > 500);
+    await choose(page, "worlds/room");
+    await settled(page);
+    assert.deepEqual((await list()).slice(0, 2), two);
+    await page.close();
+  }
 });
 
 test("it works from a file, too, and on a phone", async () => {

@@ -87,6 +87,15 @@ export const screenshot = async (page, name) => {
   await page.screenshot({ path: join(artefacts, `${name}.png`) });
 };
 
+/** Saves what the entry of the menu gives, as a file of this name; returns its path. */
+export async function save(page, entry, name) {
+  await page.click("#save summary");
+  const [download] = await Promise.all([page.waitForEvent("download"), page.click(entry)]);
+  const file = join(artefacts, name);
+  await download.saveAs(file);
+  return file;
+}
+
 /** The number shown, at full precision. */
 export const shownTime = (page) => page.$eval("#clock", (e) => Number(e.dataset.t));
 
