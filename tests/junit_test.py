@@ -183,8 +183,6 @@ class Files(Folder):
     def test_what_does_not_go_together(self):
         self.write("free.json", FREE)
         for words, message in ((["--junit", "-"], b"standard output has the answers"),
-                               (["--junit", "x.xml", "--json", "--resume", "a.jsonl"], b"--junit: answers that are taken up"),
-                               (["--clearance", "1", "--json", "--resume", "a.jsonl"], b"about a clearance are not taken up"),
                                (["--junit", "x.xml", "--clearance", "1", "--svg", "x.svg"], b"--svg: it draws one scene")):
             done = self.run_taut("check", *words, "free.json")
             self.assertEqual(done.returncode, 2)

@@ -29,7 +29,7 @@ def on_terminal(words, seconds, folder, wanted=None):
                 except OSError:  # the other side is closed
                     break
                 text += more
-            if wanted and re.search(wanted, text.decode(errors="replace")) and re.search(rb"[1-9] s\x1b\[K", text):
+            if wanted and re.search(wanted, text.decode(errors="replace")) and re.search(rb"[1-9] s(, about [^\x1b]* left)?\x1b\[K", text):
                 break
         process.kill()
     os.close(ours)
@@ -84,7 +84,8 @@ with tempfile.TemporaryDirectory() as name:
     # What is asked, and what the line says of it.
     questions = [
         (["check", "world.json"], r"% +\[=* *\] .* pairs"),
-        (["check", "--json", "--lines", "many.jsonl"], r"[\d,]+ scenes"),
+        (["check", "--json", "--lines", "many.jsonl"], r"% +\[=* *\]  [\d,]+ scenes, \d+ s, about \d+ (s|min) left"),
+        (["check", "--json", "--lines", "many.jsonl", "--resume", "answers.jsonl"], r"[\d,]+ scenes, \d+ s, about"),
         (["clearance", "world.json", "--pairs", "all"], r"[\d,]+ pairs"),
         (["intervals", "world.json"], r"[\d,]+ of [\d,]+ pairs"),
         (["check", "--clearance", "0.01", "world.json"], r"[\d,]+ of [\d,]+ pairs"),
@@ -96,7 +97,7 @@ with tempfile.TemporaryDirectory() as name:
     for words, wanted in questions:
         said = on_terminal(words, 30, folder, wanted)
         assert re.search(wanted, said), f"{words}: {said[-400:]!r}"
-        assert re.search(r"\r[^\r\n]*\d+ s\x1b\[K", said), f"{words}: {said[-400:]!r}"
+        assert re.search(r"\r[^\r\n]*\d+ s(, about [^\x1b]* left)?\x1b\[K", said), f"{words}: {said[-400:]!r}"
         said = piped(words, folder)
         assert "\r" not in said and "\x1b" not in said, f"{words}: {said[-400:]!r}"
     # Short ones say nothing, and a line that was shown is wiped.

@@ -88,6 +88,19 @@ done
 "$taut" "${check[@]}" --resume killed.jsonl 2>/dev/null
 cmp -s killed.jsonl whole.jsonl || fail "a run that was killed $kills times has another file"
 
+# Also answers about a clearance, and with a report, which has the answers that were there among its cases.
+clear=("${check[@]}" --clearance 0.25)
+"$taut" "${clear[@]}" >clear.jsonl 2>/dev/null
+head -c "$((size / 3))" clear.jsonl >cut.jsonl
+"$taut" "${clear[@]}" --resume cut.jsonl --junit report.xml 2>/dev/null
+cmp -s cut.jsonl clear.jsonl || fail "answers about a clearance, taken up: another file"
+counts() { grep -o '<testsuite [^>]*' "$1" | grep -oE '(tests|failures|errors|skipped)="[0-9]+"'; }
+"$taut" "${clear[@]}" --junit whole.xml >out 2>/dev/null
+[ "$(counts report.xml)" = "$(counts whole.xml)" ] && grep -q "tests=\"$count\"" whole.xml ||
+  fail "a report of answers that were taken up: $(counts report.xml), and should be $(counts whole.xml)"
+grep -oE '<testcase [^>]*name="[^"]*"' whole.xml | sed 's/time="[^"]*" *//' >names
+grep -oE '<testcase [^>]*name="[^"]*"' report.xml | sed 's/time="[^"]*" *//' | cmp -s - names || fail "the report has other cases"
+
 # Ctrl-C: what is written is whole, and nothing that the signal has ended is among it.
 "$taut" "${check[@]}" --resume stopped.jsonl 2>err &
 run=$!
@@ -110,6 +123,10 @@ expect 2 'other.jsonl:1: the answer has touch: "open", and should have "closed"'
 expect 2 'other.jsonl:1: the answer has fit: none, and should have 0.25' "${check[@]}" --fit 0.25 --resume other.jsonl
 expect 2 'other.jsonl:1: the answer has at_rest: none, and should have "test"' "${check[@]}" --at-rest test --resume other.jsonl
 expect 2 'other.jsonl:1: the answer has pairs: first, and should have all' "${check[@]}" --pairs all --resume other.jsonl
+expect 2 'other.jsonl:1: the answer has clearance: none, and should have 0.25' "${clear[@]}" --resume other.jsonl
+head -n 10 clear.jsonl >other_clear.jsonl
+expect 2 'other_clear.jsonl:1: the answer has clearance: 0.25, and should have none' "${check[@]}" --resume other_clear.jsonl
+expect 2 'other_clear.jsonl:1: the answer has clearance: 0.25, and should have 0.5' "${check[@]}" --clearance 0.5 --resume other_clear.jsonl
 head -n 3 scenes.jsonl >few.jsonl
 sed 's/scenes.jsonl/few.jsonl/' whole.jsonl | head -n 5 >many.jsonl
 expect 2 'many.jsonl:4: there are more answers than scenes' check --json --lines few.jsonl --resume many.jsonl

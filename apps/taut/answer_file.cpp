@@ -10,12 +10,10 @@
 #include <utility>
 
 #include "commands.hpp"
-#include "io/json_document.hpp"
 #include "io/json_text.hpp"
 #include "io/number_text.hpp"
 #include "io/text_file.hpp"
 #include "scene_argument.hpp"
-#include "taut/check.hpp"
 
 namespace taut::cli {
 using namespace internal;
@@ -67,13 +65,14 @@ class Members {
   std::size_t object_;
 };
 
-std::optional<int> code_of(const Members& answer, bool allow_untested) {
+/// Nothing if the object is no answer.
+std::optional<TakenUp> taken_up(const Members& answer, const std::string& line, bool allow_untested) {
   if (const auto error = answer.word("error"))
-    return error->rfind("internal error", 0) == 0 ? exit_internal : exit_bad_input;
+    return TakenUp{error->rfind("internal error", 0) == 0 ? exit_internal : exit_bad_input, std::nullopt, *error};
   const auto outcome = answer.word("outcome");
   for (const Outcome known : {Outcome::free, Outcome::contact, Outcome::overlap_at_start, Outcome::closer_at_start,
                               Outcome::undecided, Outcome::untested, Outcome::locked}) {
-    if (outcome && *outcome == to_string(known)) return exit_code(known, allow_untested);
+    if (outcome && *outcome == to_string(known)) return TakenUp{exit_code(known, allow_untested), known, line};
   }
   return std::nullopt;
 }
@@ -120,9 +119,23 @@ void AnswerFile::expect_same(const std::string& what, const std::string& found, 
   refuse(fmt::format("the answer has {}: {}, and should have {}", what, io::excerpt(found), io::excerpt(wanted)));
 }
 
-bool AnswerFile::has(const std::string& scene, const CheckBatch& batch, int& code) {
+void AnswerFile::expect_options(const io::JsonDocument& document, const CheckBatch& batch) const {
+  const Members answer(document, 0);
+  const auto scope = answer.find("scope");
+  if (!scope) return;
+  const Members about(document, *scope);
+  const auto number_or_none = [](double option) { return option > 0 ? io::number_text(option) : "none"; };
+  expect_same("touch", about.text("touch"), io::string_text(to_string(batch.options.touch)));
+  expect_same("fit", about.text("fit"), number_or_none(batch.options.fit));
+  if (batch.at_rest)
+    expect_same("at_rest", about.text("at_rest"), *batch.at_rest == AtRest::test ? "\"test\"" : "none");
+  expect_same("clearance", answer.text("clearance"), number_or_none(batch.clearance));
+  expect_same("pairs", answer.find("pairs") ? "all" : "first", batch.options.all_pairs ? "all" : "first");
+}
+
+std::optional<TakenUp> AnswerFile::next(const std::string& scene, const CheckBatch& batch) {
   std::string line;
-  if (!next_line(line)) return false;
+  if (!next_line(line)) return std::nullopt;
   std::optional<io::JsonDocument> document;
   try {
     document = io::parse_json(line, path_, "", io::Quoting::never);
@@ -131,22 +144,12 @@ bool AnswerFile::has(const std::string& scene, const CheckBatch& batch, int& cod
   }
   const Members answer(*document, 0);
   const auto about = answer.word("scene");
-  const auto found = code_of(answer, batch.allow_untested);
+  std::optional<TakenUp> found = taken_up(answer, line, batch.allow_untested);
   if (!about || !found) refuse("this is no answer of `taut check --json` about one of several scenes");
   if (*about != scene)
     refuse(fmt::format("the answer is about {}, and should be about {}", io::excerpt(*about), io::excerpt(scene)));
-  if (const auto scope = answer.find("scope")) {
-    const Members about_options(*document, *scope);
-    const double fit = batch.options.fit;
-    expect_same("touch", about_options.text("touch"), io::string_text(to_string(batch.options.touch)));
-    expect_same("fit", about_options.text("fit"), fit > 0 ? io::number_text(fit) : "none");
-    if (batch.at_rest)
-      expect_same("at_rest", about_options.text("at_rest"), *batch.at_rest == AtRest::test ? "\"test\"" : "none");
-    const bool pairs = answer.find("pairs").has_value();
-    expect_same("pairs", pairs ? "all" : "first", batch.options.all_pairs ? "all" : "first");
-  }
-  code = *found;
-  return true;
+  expect_options(*document, batch);
+  return found;
 }
 
 void AnswerFile::expect_none() {

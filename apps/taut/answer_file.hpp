@@ -3,12 +3,22 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "check_batch.hpp"
+#include "io/json_document.hpp"
 #include "io/platform.hpp"
+#include "taut/check.hpp"
 
 namespace taut::cli {
+
+/// An answer that is there already.
+struct TakenUp {
+  int code = 0;                    ///< its exit code
+  std::optional<Outcome> outcome;  ///< none: the scene could not be answered
+  std::string text;                ///< the answer as it is in the file, or the error
+};
 
 /// A file of answers of `taut check --json`, one on a line, in the order of the scenes. So what is there is the answers
 /// to the first of them, and a run that was killed at any instant goes on behind these: half a line at the end is
@@ -18,9 +28,9 @@ class AnswerFile {
   /// Opens the file, or begins one. Throws InputError if it is no regular file, or another process has it.
   explicit AnswerFile(std::string path);
 
-  /// Is there a next answer? Then `scene` must be what it is about, and it must have been asked with the options of the
-  /// batch, as far as answers say them; throws InputError otherwise. Its exit code is in `code`.
-  bool has(const std::string& scene, const CheckBatch& batch, int& code);
+  /// The next answer, if there is one. Then `scene` must be what it is about, and it must have been asked with the
+  /// options of the batch, as far as answers say them; throws InputError otherwise.
+  std::optional<TakenUp> next(const std::string& scene, const CheckBatch& batch);
   /// Throws InputError if answers are left: there are more than there are scenes.
   void expect_none();
 
@@ -31,6 +41,7 @@ class AnswerFile {
 
  private:
   bool next_line(std::string& line);
+  void expect_options(const internal::io::JsonDocument& document, const CheckBatch& batch) const;
   void expect_same(const std::string& what, const std::string& found, const std::string& wanted) const;
   [[noreturn]] void refuse(const std::string& problem) const;
 

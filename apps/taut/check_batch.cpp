@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <fstream>
+#include <functional>
 #include <iostream>
 #include <thread>
 #include <utility>
@@ -35,13 +37,21 @@ namespace {
 /// Files one by one, or their lines, as far as they are the shard's.
 class Tasks {
  public:
-  explicit Tasks(const CheckBatch& batch) : paths_(batch.paths), lines_(batch.lines), shard_(batch.shard) {}
+  explicit Tasks(const CheckBatch& batch) : paths_(batch.paths), lines_(batch.lines), shard_(batch.shard) {
+    if (!lines_) return;
+    for (const std::string& path : paths_) bytes_ += path == "-" ? NAN : size_of(path);
+  }
 
   std::optional<BatchTask> next() {
     while (const std::optional<BatchTask> task = any()) {
       if (number_++ % shard_.count == shard_.index) return task;
     }
     return std::nullopt;
+  }
+
+  /// The part of the input that was read, from 0 to 1; not a number if the input is not only files.
+  double share() const {
+    return lines_ ? read_ / bytes_ : static_cast<double>(current_) / static_cast<double>(paths_.size());
   }
 
  private:
@@ -59,6 +69,7 @@ class Tasks {
       std::string text;
       while (std::getline(in, text)) {
         ++line_;
+        read_ += static_cast<double>(text.size()) + 1;
         if (text.find_first_not_of(" \t\r") != text.npos)
           return BatchTask{fmt::format("{}:{}", display_name(paths_[current_]), line_), text};
       }
@@ -66,6 +77,12 @@ class Tasks {
       line_ = 0;
     }
     return std::nullopt;
+  }
+
+  static double size_of(const std::string& path) {
+    if (!is_regular(path)) return 0;
+    std::ifstream file(io::path_of(path), std::ios::binary | std::ios::ate);
+    return file ? static_cast<double>(file.tellg()) : 0;
   }
 
   static bool is_regular(const std::string& path) {
@@ -84,6 +101,7 @@ class Tasks {
   std::size_t current_ = 0;
   std::ifstream file_;
   std::uint64_t line_ = 0;
+  double read_ = 0, bytes_ = 0;  ///< of files of lines
 };
 
 /// An answer as it is printed, and in words for a report.
@@ -150,6 +168,14 @@ BatchResult answer(const BatchTask& task, const CheckBatch& batch) {
   }
 }
 
+/// A taken-up answer in a report: as JSON, for its scene is not read again.
+JunitCase junit_of(const BatchTask& task, const TakenUp& answer, bool allow_untested) {
+  if (!answer.outcome)
+    return junit_error(task.place, answer.code == exit_internal ? "internal" : "bad_input", answer.text, 0);
+  const std::string words = fmt::format("{}\n{}\n", to_string(*answer.outcome), answer.text);
+  return junit_case(task.place, *answer.outcome, allow_untested, words, 0);
+}
+
 /// What matters most of all that happened.
 class WorstCode {
  public:
@@ -172,12 +198,14 @@ class Output {
     if (!batch.resume.empty()) file_.emplace(batch.resume);
   }
 
-  /// Leaves out what the file has answers to.
-  void take_up(Tasks& tasks, WorstCode& worst) {
+  /// Leaves out what the file has answers to, and hands these to `taken`, which says whether to go on.
+  void take_up(Tasks& tasks, const std::function<bool(const BatchTask&, const TakenUp&)>& taken) {
     if (!file_) return;
-    int code = exit_free;
-    while ((waiting_ = tasks.next()) && file_->has(waiting_->place, batch_, code)) worst.note(code);
-    if (!waiting_) file_->expect_none();
+    while ((waiting_ = tasks.next())) {
+      const std::optional<TakenUp> answer = file_->next(waiting_->place, batch_);
+      if (!answer || !taken(*waiting_, *answer)) return;
+    }
+    file_->expect_none();
   }
 
   /// The next task, the one that take_up() came to first. None after a run was stopped: nothing would be asked.
@@ -234,10 +262,6 @@ namespace {
 void require_answerable(const CheckBatch& batch) {
   if (!batch.resume.empty() && !batch.json)
     throw InputError("--resume", "answers are taken up line by line, and a report has several", "add --json");
-  if (!batch.resume.empty() && batch.clearance > 0)
-    throw InputError("--resume", "answers about a clearance are not taken up", "leave out --resume or --clearance");
-  if (!batch.resume.empty() && !batch.junit.empty())
-    throw InputError("--junit", "answers that are taken up are in no report", "leave out --resume or --junit");
   if (batch.junit == "-") throw InputError("--junit", "standard output has the answers", "name a file for the report");
 }
 
@@ -251,6 +275,32 @@ void write_junit(const CheckBatch& batch, const JunitReport& junit, bool stopped
   }
 }
 
+/// The line on the terminal: of all scenes, those that were taken up among them.
+class BatchProgress {
+ public:
+  explicit BatchProgress(const Tasks& tasks) : tasks_(tasks) {}
+
+  void count(std::uint64_t scenes) {
+    ProgressMeter& meter = line_.meter();
+    meter.set("scenes", scenes, 0);
+    const double share = tasks_.share();
+    if (std::isnan(share)) return;
+    meter.share = share;
+    if (share > taken_up_) meter.seconds_left = seconds_since(begun_) * (1 - share) / (share - taken_up_);
+  }
+  /// From here on scenes take longer.
+  void took_up() {
+    begun_ = std::chrono::steady_clock::now();
+    taken_up_ = tasks_.share();
+  }
+
+ private:
+  const Tasks& tasks_;
+  ProgressLine line_;
+  std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
+  double taken_up_ = 0;
+};
+
 }  // namespace
 
 int check_batch(const CheckBatch& batch) {
@@ -259,21 +309,28 @@ int check_batch(const CheckBatch& batch) {
   shared.options.limits.stop = stop_on_signals();
   const std::atomic<bool>& stop = *shared.options.limits.stop;
   const unsigned threads = batch.threads > 0 ? batch.threads : std::max(1u, std::thread::hardware_concurrency());
-  const auto start = std::chrono::steady_clock::now();
   Tasks tasks(batch);
   Output output(batch);
   WorstCode worst;
-  output.take_up(tasks, worst);
   JunitReport junit(batch.clearance > 0 ? fmt::format("taut check --clearance {}", batch.clearance) : "taut check");
-  std::uint64_t scenes = 0;
+  std::uint64_t scenes = 0, taken_up = 0;
   // Answers that scroll by say as much.
-  std::optional<ProgressLine> progress;
-  if (!batch.resume.empty() || !io::is_terminal(stdout)) progress.emplace();
+  std::optional<BatchProgress> progress;
+  if (!batch.resume.empty() || !io::is_terminal(stdout)) progress.emplace(tasks);
+  output.take_up(tasks, [&](const BatchTask& task, const TakenUp& answer) {
+    worst.note(answer.code);
+    if (!batch.junit.empty()) junit.add(junit_of(task, answer, batch.allow_untested));
+    ++taken_up;
+    if (progress) progress->count(taken_up);
+    return !stop;
+  });
+  if (progress) progress->took_up();
+  const auto start = std::chrono::steady_clock::now();
   run_batch(
       threads, [&] { return output.next(tasks, stop); }, [&](const BatchTask& task) { return answer(task, shared); },
       [&](const BatchResult& result) {
         if (output.write(result, stop)) ++scenes;
-        if (progress) progress->meter().set("scenes", scenes, batch.lines ? 0 : batch.paths.size());
+        if (progress) progress->count(taken_up + scenes);
         worst.note(result.code);
         if (!batch.junit.empty()) junit.add(result.test);
       });

@@ -22,6 +22,12 @@ std::string grouped(std::uint64_t n) {
   return s;
 }
 
+/// "75 s", "12 min" or "3.5 h"
+std::string duration(double seconds) {
+  if (seconds < 600) return fmt::format("{:.0f} s", std::floor(seconds));
+  return seconds < 36000 ? fmt::format("{:.0f} min", seconds / 60) : fmt::format("{:.1f} h", seconds / 3600);
+}
+
 std::string bar(double share) {
   constexpr int width = 24;
   std::string s(width, ' ');
@@ -46,7 +52,9 @@ std::string progress_line(const ProgressMeter& meter, double start, double end, 
   }
   if (in_time) s += fmt::format("up to t = {:.6g}, ", t);
   if (kind) s += grouped(done) + (all > 0 ? " of " + grouped(all) : "") + " " + kind + ", ";
-  s += fmt::format("{:.0f} s", std::floor(seconds));
+  s += duration(seconds);
+  const double left = meter.seconds_left.load();
+  if (left >= 1) s += fmt::format(", about {} left", duration(left));
   return s.substr(0, width);
 }
 

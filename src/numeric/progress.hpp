@@ -14,6 +14,7 @@ struct ProgressMeter {
   std::atomic<const char*> kind{nullptr};      ///< the kind of parts counted, such as "pairs"
   std::atomic<std::uint64_t> done{0}, all{0};  ///< the numbers of parts; `all` is 0 if not known
   std::atomic<double> share{-1};               ///< of the whole query, from 0 to 1; below 0 if not known
+  std::atomic<double> seconds_left{-1};        ///< expected; below 0 if not known
   std::atomic<double> time{-INFINITY};         ///< searched up to this instant of the scene
 };
 
