@@ -8,6 +8,7 @@
 #include "import/import.hpp"
 #include "io/json_text.hpp"
 #include "numeric/budget.hpp"
+#include "problem.hpp"
 #include "recording.hpp"
 #include "scene/curved_world.hpp"
 #include "scene/validate_scene.hpp"
@@ -244,6 +245,26 @@ EMSCRIPTEN_KEEPALIVE const char* taut_ask(const char* question, const char* text
   return answered([&](Scene& scene) {
     scene = parse_scene(text, "scene");
     return "{\"answer\":" + ask({question, options}, scene).json + "}";
+  });
+}
+
+/// problem_text() of a scene with joints, a start and a goal.
+EMSCRIPTEN_KEEPALIVE const char* taut_read_problem(const char* text, const char* name) {
+  return answered([&](Scene&) {
+    const PathProblem problem = parse_path_problem(text, name);
+    validate(problem);
+    return problem_text(problem);
+  });
+}
+
+/// way_text() of such a scene.
+EMSCRIPTEN_KEEPALIVE const char* taut_find_way(const char* text, int closed, double clearance, double max_seconds) {
+  return answered([&](Scene&) {
+    PathOptions options;
+    options.touch = closed != 0 ? Touch::closed : Touch::open;
+    options.clearance = clearance;
+    options.limits.max_seconds = max_seconds;
+    return way_text(parse_path_problem(text, "problem"), options);
   });
 }
 

@@ -52,6 +52,10 @@ const titles = {
   "worlds/drawer": "World: a drawer",
   "worlds/conveyor": "World: boxes on a belt",
   "worlds/puzzle": "World: a puzzle",
+  "paths/piano": "Way: a piano around the corner",
+  "paths/piano_long": "Way: a piano that is too long",
+  "paths/bracket": "Way: a bracket out of its case",
+  "paths/arm": "Way: an arm among posts",
   "curves/cam": "Curves: a cam and its follower",
   "curves/slot": "Curves: a pin in a slot",
   "curves/geneva": "Curves: a Geneva drive",
@@ -76,6 +80,7 @@ async function page(name, script, style = "src/style.css") {
     "@SCRIPT@": inScript(await bundle(script)),
   };
   if (text.includes("@WASM@")) parts["@WASM@"] = inScript(wasm);
+  if (text.includes("@WORKER@")) parts["@WORKER@"] = inScript(await bundle("src/worker.ts"));
   if (text.includes("@EXAMPLES@")) parts["@EXAMPLES@"] = await examples();
   for (const [mark, content] of Object.entries(parts)) text = text.replace(mark, () => content);
   await writeFile(join(out, name), text);

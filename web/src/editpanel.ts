@@ -16,6 +16,7 @@ const modes: [Mode, string, string][] = [
     "Drive",
     "Drag the arrow or the spin handle: the plan changes from the instant shown on, also while time runs.",
   ],
+  ["way", "Way", "Drag start and goal, or their handles, which turn them: a way is found, or proved not to be there."],
 ];
 /** The mode that the key with this number stands for. */
 export const modeOfKey = (number: number): Mode => modes[number - 1][0];

@@ -1,4 +1,5 @@
 // The library in WebAssembly: texts in, JSON and flat arrays out (wasm/exports.cpp).
+import type { FoundWay, ReadProblem } from "./wayproblem";
 
 export interface Fault {
   kind: "input" | "undecided" | "internal";
@@ -249,6 +250,8 @@ interface Module {
   _taut_shapes(text: number): number;
   _taut_open(text: number, name: number, closed: number): number;
   _taut_ask(question: number, text: number, options: number): number;
+  _taut_read_problem(text: number, name: number): number;
+  _taut_find_way(text: number, closed: number, clearance: number, seconds: number): number;
   _taut_advance(until: number, milliseconds: number): number;
   _taut_change_plan(text: number, body: number): number;
   _taut_poses(t: number): number;
@@ -309,6 +312,16 @@ export class Engine {
     return this.call<{ answer: Result }>([question, JSON.stringify(scene), JSON.stringify(options)], (q, t, o) =>
       this.module._taut_ask(q, t, o),
     ).answer;
+  }
+
+  /** Joints, a start and a goal. */
+  readProblem(text: string, name: string): ReadProblem {
+    return this.call<ReadProblem>([text, name], (t, n) => this.module._taut_read_problem(t, n));
+  }
+
+  /** Takes as long as it takes: to be called where nobody waits. */
+  findWay(text: string, closed: boolean, clearance: number): FoundWay {
+    return this.call<FoundWay>([text], (t) => this.module._taut_find_way(t, closed ? 1 : 0, clearance, Infinity));
   }
 
   advance(until: number, milliseconds: number): Status {

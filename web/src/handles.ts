@@ -6,7 +6,7 @@ import { isJoined } from "./mechanisms";
 import { poseOf, product, type Keyframe, type Velocity } from "./motions";
 import { cornerAt, partsOf, ringsWithVertices, verticesIn, type Shape } from "./shapes";
 
-export type Mode = "look" | "shape" | "keyframes" | "drive";
+export type Mode = "look" | "shape" | "keyframes" | "drive" | "way";
 
 /** The radius on which handles that turn something lie, in pixels. */
 export const spinRadius = 46;
@@ -135,6 +135,7 @@ export class Handles {
   find(x: number, y: number): Handle | null {
     switch (this.edited.mode) {
       case "look":
+      case "way":
         return null;
       case "shape":
         return this.findShape(x, y);
@@ -218,7 +219,7 @@ export class Handles {
   }
 }
 
-function insidePart(rings: Ring[], u: number, v: number): boolean {
+export function insidePart(rings: Ring[], u: number, v: number): boolean {
   let odd = false;
   for (const points of rings) {
     for (let i = 0, j = points.length - 1; i < points.length; j = i++) {

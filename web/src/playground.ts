@@ -15,6 +15,8 @@ import { PathText } from "./pathtext";
 import { SaveMenu } from "./saving";
 import { SceneText } from "./scenetext";
 import { fromFragment, shareLink, type Shared } from "./sharing";
+import { isProblem } from "./wayproblem";
+import { Ways } from "./ways";
 import { Workbench } from "./workbench";
 import { WorldEditing } from "./worldediting";
 import { roundText } from "./words";
@@ -38,6 +40,9 @@ export class Playground {
   private readonly history: History;
   private readonly changes: Changes;
   private readonly worldEditing: WorldEditing;
+  private readonly ways: Ways;
+  /** A scene is being opened that belongs to the way that is asked about. */
+  private showsWay = false;
   private readonly report = new ImportReport((decided) => this.readAgain(decided));
   /** The drawing that was read last. */
   private drawing = { text: "", name: "", decided: undecided };
@@ -47,7 +52,7 @@ export class Playground {
 
   constructor(private readonly player: Player) {
     this.workbench = new Workbench(player, [
-      ["1 2 3 4", "what dragging does"],
+      ["1 2 3 4 5", "what dragging does"],
       ["Delete", "remove the chosen vertex"],
       ["Ctrl-Z", "undo; with Shift, redo"],
     ]);
@@ -69,6 +74,10 @@ export class Playground {
     this.worldEditing = new WorldEditing(player, this.editor, this.workbench, {
       change: (scene, note, body) => this.change(scene, note, body),
       say: (note) => (this.panel.note = note),
+    });
+    this.ways = new Ways(this.workbench, {
+      closed: () => this.panel.touch === "closed",
+      show: (scene, title, way) => this.showWay(scene, title, way),
     });
     this.build();
     document.addEventListener("keydown", (e) => this.key(e));
@@ -108,8 +117,8 @@ export class Playground {
   private newPanel(): EditPanel {
     return new EditPanel({
       setMode: (mode) => this.setMode(mode),
-      choose: (body) => this.editor.choose(body),
-      setTouch: () => this.apply(true),
+      choose: (body) => this.choose(body),
+      setTouch: () => (this.ways.active ? this.ways.search() : this.apply(true)),
       setTime: (start, end) => this.setTime(start, end),
       set: (frames) => this.setKeyframes(frames),
       add: (frames) => {
@@ -142,6 +151,7 @@ export class Playground {
     tools.append(...headerTools(this.examples, host), menu.element, undoButton, redoButton);
     side.insertBefore(this.report.element, side.children[1]);
     side.insertBefore(this.panel.element, side.children[2]);
+    side.insertBefore(this.ways.panel.element, side.children[3]);
     this.workbench.bodiesPart.append(this.worldEditing.panel.element);
     this.workbench.element.classList.add("editable");
     side.append(this.path.element, this.text.element);
@@ -166,13 +176,44 @@ export class Playground {
   }
 
   private setMode(mode: Mode): void {
+    const { stage } = this.workbench;
     this.editor.mode = mode;
     this.panel.showMode(mode);
+    const way = mode === "way";
+    this.workbench.element.classList.toggle("way", way);
+    stage.tool = way ? this.ways.editor : this.editor;
+    if (way && !this.ways.active) this.ways.enter(this.valid, this.editor.body);
+    if (!way && this.ways.active) this.ways.leave();
+    if (way) stage.refit();
     this.workbench.redraw();
   }
 
+  private choose(body: number): void {
+    this.editor.choose(body);
+    if (this.ways.active) this.ways.enter(this.valid, body);
+  }
+
+  /** A scene with joints, a start and a goal. Throws TautError, and what is there stays. */
+  private openProblem(text: string, name: string, title: string | null): void {
+    if (this.ways.active) this.setMode("look");
+    this.ways.open(text, name, title);
+    this.setMode("way");
+  }
+
+  private showWay(scene: Scene, title: string | null, way: boolean): void {
+    this.showsWay = true;
+    try {
+      if (way) this.change(scene, "", this.editor.body);
+      else this.load(scene, title);
+    } finally {
+      this.showsWay = false;
+    }
+  }
+
   private loadExample({ scene, title }: Example): void {
-    this.load(this.player.engine.readScene(JSON.stringify(scene), title), title);
+    const text = JSON.stringify(scene);
+    if (isProblem(text)) this.openProblem(text, title, title);
+    else this.load(this.player.engine.readScene(text, title), title);
   }
 
   /** Opens a scene from elsewhere, at its start. Throws TautError, and the present scene stays as it is. */
@@ -228,6 +269,8 @@ export class Playground {
   }
 
   private succeeded(scene: Scene): void {
+    // Another scene than the way's is about something else.
+    if (this.ways.active && !this.showsWay) this.setMode("look");
     this.valid = scene;
     this.editor.faults = [];
     this.workbench.invalid = false;
@@ -318,6 +361,8 @@ export class Playground {
     const title = name.replace(/\.[^.]*$/, "");
     if (/\.(svg|dxf|kicad_pcb)$/i.test(name)) {
       this.openDrawing({ text, name }, undecided);
+    } else if (isProblem(text)) {
+      this.openProblem(text, name, title);
     } else if (/"taut-scene\//.test(text)) {
       this.load(engine.readScene(text, name), title);
     } else {
@@ -370,7 +415,7 @@ export class Playground {
       else this.history.undo();
     } else if (e.key === "Delete" || e.key === "Backspace") {
       if (this.editor.removeVertex()) e.preventDefault();
-    } else if (/^[1-4]$/.test(e.key)) {
+    } else if (/^[1-5]$/.test(e.key)) {
       this.setMode(modeOfKey(Number(e.key)));
     }
   }

@@ -19,6 +19,8 @@ export interface Tool {
   draw(context: CanvasRenderingContext2D, camera: Camera, colours: Colours): void;
   /** Bodies as they are being edited, instead of the player's. */
   frame(): Frame | null;
+  /** What is to be seen besides. */
+  extent?(): [number, number][];
 }
 
 /** The buttons for the view lie on the right: nothing that is shown does. */
@@ -152,7 +154,7 @@ export class Stage {
 
   private extent(): Box {
     const { player } = this;
-    const points: [number, number][] = [];
+    const points: [number, number][] = this.tool?.extent?.() ?? [];
     const samples = 48;
     for (let i = 0; i <= samples; ++i) {
       const poses = player.engine.poses(player.start + ((player.end - player.start) * i) / samples);

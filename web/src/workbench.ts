@@ -16,6 +16,13 @@ import { Questions } from "./questions";
 import { isDark } from "./theme";
 import { clockText, explanation, headline, aboutTilings, roundText, turnedText } from "./words";
 
+/** What is said in place of the scene's answer. */
+export interface Verdict {
+  headline: string;
+  outcome: "free" | "contact" | "undecided" | "running" | "invalid";
+  lines: string[];
+}
+
 export class Workbench {
   readonly stage: Stage;
   readonly element: HTMLElement;
@@ -26,6 +33,9 @@ export class Workbench {
   title: string | null = null;
   /** The scene that is being edited is not valid: what is known belongs to an older one. */
   invalid = false;
+
+  /** Of another question than the scene's first contact. */
+  verdict: (() => Verdict) | null = null;
 
   private readonly events: EventList;
   private readonly plot: CountPlot;
@@ -250,6 +260,7 @@ export class Workbench {
   }
 
   private showAnswer(): void {
+    if (this.verdict) return this.showVerdict(this.verdict());
     const { player } = this;
     const running = !player.finished;
     const { answer } = player.status;
@@ -266,6 +277,13 @@ export class Workbench {
     const names = player.scene.bodies.map((b) => b.name);
     const shown = names.length > 6 ? `${names.length} bodies` : names.join(" and ");
     this.stage.canvas.setAttribute("aria-label", `${shown} at t = ${clockText(player.t, player.scene)}. ${text}`);
+  }
+
+  private showVerdict({ headline, outcome, lines }: Verdict): void {
+    if (this.answerChip.textContent !== headline) this.answerChip.replaceChildren(headline);
+    this.answerChip.dataset.outcome = outcome;
+    setLines(this.answerText, lines);
+    this.stage.canvas.setAttribute("aria-label", `${headline}. ${lines.join(" ")}`);
   }
 
   /** What is said of an instant leads there. */
