@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "aftermath.hpp"
 #include "import/import.hpp"
 #include "io/json_text.hpp"
 #include "numeric/budget.hpp"
@@ -265,6 +266,18 @@ EMSCRIPTEN_KEEPALIVE const char* taut_find_way(const char* text, int closed, dou
     options.clearance = clearance;
     options.limits.max_seconds = max_seconds;
     return way_text(parse_path_problem(text, "problem"), options);
+  });
+}
+
+/// aftermath_text() of a scene.
+EMSCRIPTEN_KEEPALIVE const char* taut_go_on(const char* text, int closed, int bounce) {
+  return answered([&](Scene& scene) {
+    scene = parse_scene(text, "scene");
+    AftermathOptions options;
+    options.touch = closed != 0 ? Touch::closed : Touch::open;
+    options.bounce = bounce != 0;
+    options.max_seconds = longest_wait;
+    return aftermath_text(scene, options);
   });
 }
 

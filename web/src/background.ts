@@ -1,8 +1,15 @@
-// Questions that may take long, asked on another thread. One is under way at a time.
-import { TautError, type Fault } from "./engine";
-import type { FoundWay } from "./wayproblem";
+// What may take long, on another thread. One call is under way at a time.
+import { TautError, type Engine, type Fault } from "./engine";
 
-type Reply = { found: FoundWay } | { fault: Fault } | { problem: string };
+/** Those that need no scene to be open. */
+export type Method = "ask" | "findWay" | "goOn";
+
+export interface Call {
+  method: Method;
+  args: unknown[];
+}
+
+type Reply = { result: unknown } | { fault: Fault } | { problem: string };
 
 /** The page begins with both parts as texts, and drops them when it is built. */
 const program = ["taut-engine", "taut-worker"].map((id) => document.getElementById(id)?.textContent ?? "").join("\n");
@@ -11,20 +18,25 @@ export class Background {
   private worker: Worker | null = null;
   private end: (() => void) | null = null;
 
-  /** The question before ends without an answer. Throws TautError. */
-  async findWay(text: string, closed: boolean, clearance: number): Promise<FoundWay | null> {
+  /** What the engine's method returns. The call before ends, with null. Throws TautError. */
+  async call<Name extends Method>(
+    method: Name,
+    ...args: Parameters<Engine[Name]>
+  ): Promise<ReturnType<Engine[Name]> | null> {
     this.stop();
     this.worker ??= this.begin();
     const { worker } = this;
     const reply = await new Promise<Reply | null>((done) => {
       this.end = () => done(null);
-      worker.onmessage = ({ data }: MessageEvent<Reply>) => done(data);
+      worker.onmessage = ({ data }: MessageEvent<Reply>) => {
+        this.end = null;
+        done(data);
+      };
       worker.onerror = (e) => done({ problem: e.message || "the browser does not let the page have a thread" });
-      worker.postMessage({ text, closed, clearance });
+      worker.postMessage({ method, args });
     });
     if (!reply) return null;
-    this.end = null;
-    if ("found" in reply) return reply.found;
+    if ("result" in reply) return reply.result as ReturnType<Engine[Name]>;
     throw "fault" in reply ? new TautError(reply.fault) : new Error(reply.problem);
   }
 
@@ -48,3 +60,7 @@ export class Background {
     return worker;
   }
 }
+
+/** What went wrong, line by line. */
+export const linesOf = (error: unknown): string[] =>
+  error instanceof TautError ? [error.message, error.fault.hint].filter(Boolean) : [String(error)];

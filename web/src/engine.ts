@@ -1,4 +1,5 @@
 // The library in WebAssembly: texts in, JSON and flat arrays out (wasm/exports.cpp).
+import type { WhatFollows } from "./aftermath";
 import type { FoundWay, ReadProblem } from "./wayproblem";
 
 export interface Fault {
@@ -252,6 +253,7 @@ interface Module {
   _taut_ask(question: number, text: number, options: number): number;
   _taut_read_problem(text: number, name: number): number;
   _taut_find_way(text: number, closed: number, clearance: number, seconds: number): number;
+  _taut_go_on(text: number, closed: number, bounce: number): number;
   _taut_advance(until: number, milliseconds: number): number;
   _taut_change_plan(text: number, body: number): number;
   _taut_poses(t: number): number;
@@ -322,6 +324,12 @@ export class Engine {
   /** Takes as long as it takes: to be called where nobody waits. */
   findWay(text: string, closed: boolean, clearance: number): FoundWay {
     return this.call<FoundWay>([text], (t) => this.module._taut_find_way(t, closed ? 1 : 0, clearance, Infinity));
+  }
+
+  /** The scene with what comes after its contacts, where bodies bounce or stop. */
+  goOn(scene: Scene, closed: boolean, bounce: boolean): WhatFollows {
+    const text = JSON.stringify(scene);
+    return this.call<WhatFollows>([text], (t) => this.module._taut_go_on(t, closed ? 1 : 0, bounce ? 1 : 0));
   }
 
   advance(until: number, milliseconds: number): Status {

@@ -176,7 +176,8 @@ export class Playground {
   }
 
   private setMode(mode: Mode): void {
-    const { stage } = this.workbench;
+    const { stage, aftermath } = this.workbench;
+    if (mode !== this.editor.mode) aftermath.reset();
     this.editor.mode = mode;
     this.panel.showMode(mode);
     const way = mode === "way";

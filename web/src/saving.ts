@@ -77,7 +77,10 @@ export class SaveMenu {
   }
 
   private saveScene(): void {
-    saveFile(JSON.stringify(this.host.scene(), null, 1), `${this.host.name()}.json`, "application/json");
+    const { aftermath, player } = this.workbench;
+    // What followed a contact is the page's, not the editor's.
+    const scene = aftermath.active ? player.scene : this.host.scene();
+    saveFile(JSON.stringify(scene, null, 1), `${this.host.name()}.json`, "application/json");
   }
 
   private saveSvg(): void {

@@ -1,6 +1,6 @@
 // Is there any way? The problem at hand, what is asked about it, and the answer.
-import { Background } from "./background";
-import { TautError, inParts, type Pose, type Scene, type WorldStyles } from "./engine";
+import { linesOf, type Background } from "./background";
+import { inParts, type Pose, type Scene, type WorldStyles } from "./engine";
 import type { Frame } from "./frame";
 import { isJoined } from "./mechanisms";
 import { Shape } from "./shapes";
@@ -22,7 +22,6 @@ export class Ways implements WayView {
   private styles: WorldStyles | null = null;
   readonly editor: WayEditor;
   readonly panel: WayPanel;
-  private readonly background = new Background();
   private found: FoundWay | null = null;
   private fault: string[] | null = null;
   /** The scene shown is the way that was found. */
@@ -69,6 +68,10 @@ export class Ways implements WayView {
   get tight(): number[] | null {
     const tight = this.found?.answer.tight;
     return tight && this.problem ? this.problem.read.joints.map(({ name }) => tight.values[name]) : null;
+  }
+
+  private get background(): Background {
+    return this.workbench.background;
   }
 
   /** For tests: is a way being looked for? */
@@ -145,11 +148,9 @@ export class Ways implements WayView {
     workbench.player.play(false);
     this.forget();
     void this.background
-      .findWay(problem.text(), this.host.closed(), this.clearance)
+      .call("findWay", problem.text(), this.host.closed(), this.clearance)
       .then((found) => found && this.answered(found))
-      .catch((error: unknown) =>
-        this.refuse(error instanceof TautError ? [error.message, error.fault.hint] : [String(error)]),
-      );
+      .catch((error: unknown) => this.refuse(linesOf(error)));
     this.show();
   }
 
@@ -187,7 +188,7 @@ export class Ways implements WayView {
       const read = this.workbench.player.engine.readProblem(JSON.stringify(file), "way");
       this.take(new WayProblem(file, read, outside));
     } catch (error) {
-      this.refuse(error instanceof TautError ? [error.message, error.fault.hint] : [String(error)]);
+      this.refuse(linesOf(error));
     }
   }
 

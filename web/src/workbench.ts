@@ -1,5 +1,7 @@
 // The page around the picture: answer, event, counts, list of events, time.
 import { h, iconButton, setIcon, swatch } from "./dom";
+import { Aftermath } from "./aftermath";
+import { Background } from "./background";
 import { BodyTree } from "./bodytree";
 import { EventList } from "./eventlist";
 import { EventText } from "./eventtext";
@@ -36,6 +38,8 @@ export class Workbench {
 
   /** Of another question than the scene's first contact. */
   verdict: (() => Verdict) | null = null;
+  readonly background = new Background();
+  readonly aftermath = new Aftermath(this);
 
   private readonly events: EventList;
   private readonly plot: CountPlot;
@@ -111,7 +115,7 @@ export class Workbench {
     this.side = h(
       "aside",
       { "aria-label": "Details" },
-      section("Answer", this.answerChip, this.answerText),
+      section("Answer", this.answerChip, this.answerText, this.aftermath.element),
       section("Questions", this.questionPanel.element),
       this.bodiesPart,
     );
@@ -260,6 +264,7 @@ export class Workbench {
   }
 
   private showAnswer(): void {
+    this.aftermath.update();
     if (this.verdict) return this.showVerdict(this.verdict());
     const { player } = this;
     const running = !player.finished;

@@ -1,15 +1,17 @@
-// The library on a thread of its own: a question that takes long leaves the page as it is, and can be stopped.
+// The library on a thread of its own: what takes long leaves the page as it is, and can be stopped.
 import { Engine, TautError } from "./engine";
+import type { Call } from "./background";
 
 const engine = Engine.load();
 const port = self as unknown as {
-  onmessage: (e: MessageEvent<{ text: string; closed: boolean; clearance: number }>) => void;
+  onmessage: (e: MessageEvent<Call>) => void;
   postMessage(message: unknown): void;
 };
 
-port.onmessage = async ({ data: { text, closed, clearance } }) => {
+port.onmessage = async ({ data: { method, args } }) => {
   try {
-    port.postMessage({ found: (await engine).findWay(text, closed, clearance) });
+    const call = (await engine)[method] as (...all: unknown[]) => unknown;
+    port.postMessage({ result: call.apply(await engine, args) });
   } catch (error) {
     port.postMessage(error instanceof TautError ? { fault: error.fault } : { problem: String(error) });
   }
