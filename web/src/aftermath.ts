@@ -1,7 +1,7 @@
 // After a contact: what if the bodies bounce, or stop there?
 import { linesOf } from "./background";
 import { h } from "./dom";
-import { inParts, type Scene } from "./engine";
+import type { Scene } from "./engine";
 import { isCurved } from "./shapes";
 import type { Verdict, Workbench } from "./workbench";
 import { roundText } from "./words";
@@ -19,8 +19,6 @@ const mostListed = 40;
 
 export class Aftermath {
   readonly element = h("div", { class: "aftermath", id: "aftermath" });
-  /** What is shown, and what was there before. */
-  private shown: { follows: WhatFollows; bounce: boolean; opened: number; before: Scene } | null = null;
   private working = false;
   private fault: string[] = [];
   private key = "";
@@ -29,39 +27,13 @@ export class Aftermath {
 
   /** To be called with every answer. */
   update(): void {
-    const { player } = this.workbench;
-    if (this.shown && this.shown.opened !== player.opened) this.forget();
-    const { answer } = player.status;
-    const offered =
-      !this.workbench.verdict &&
-      !this.workbench.invalid &&
-      player.finished &&
-      answer.outcome === "contact" &&
-      canGoOn(player.scene);
-    const key = [offered, this.working, this.shown?.opened, player.opened, this.fault.join()].join();
+    const { player, verdict, invalid } = this.workbench;
+    const met = player.finished && player.status.answer.outcome === "contact";
+    const offered = met && !verdict && !invalid && canGoOn(player.scene);
+    const key = [offered, this.working, player.opened, this.fault.join()].join();
     if (key === this.key) return;
     this.key = key;
-    this.element.replaceChildren(
-      ...(this.shown ? this.contactsShown(this.shown.follows) : offered ? this.choices() : []),
-    );
-  }
-
-  /** The scene as it was, up to its first contact. */
-  reset(): void {
-    const { shown, workbench } = this;
-    if (!shown) return;
-    this.forget();
-    workbench.player.open(shown.before, workbench.player.closed, undefined);
-    workbench.redraw();
-  }
-
-  get active(): boolean {
-    return this.shown !== null;
-  }
-
-  private forget(): void {
-    this.shown = null;
-    this.workbench.verdict = null;
+    this.element.replaceChildren(...(offered ? this.choices() : []));
   }
 
   private choices(): Node[] {
@@ -87,15 +59,16 @@ export class Aftermath {
   }
 
   private async goOn(bounce: boolean): Promise<void> {
-    const { player, background } = this.workbench;
-    const before = player.scene;
+    const { player, background, excursion } = this.workbench;
     const about = player.opened;
     this.working = true;
     this.fault = [];
     player.play(false);
     try {
-      const follows = await background.call("goOn", before, player.closed, bounce);
-      if (follows && player.opened === about) this.show(follows, bounce, before);
+      const follows = await background.call("goOn", player.scene, player.closed, bounce);
+      const back = "Back to the first contact";
+      if (follows && player.opened === about)
+        excursion.show({ scene: follows.scene, verdict: verdictOf(follows, bounce), more: [this.list(follows)], back });
     } catch (error) {
       this.fault = linesOf(error);
     }
@@ -103,41 +76,22 @@ export class Aftermath {
     this.workbench.redraw();
   }
 
-  private show(follows: WhatFollows, bounce: boolean, before: Scene): void {
-    const { workbench } = this;
-    const { player } = workbench;
-    player.open(inParts(follows.scene), player.closed, undefined);
-    this.shown = { follows, bounce, opened: player.opened, before };
-    workbench.verdict = (): Verdict => verdictOf(follows, bounce);
-    workbench.stage.refit();
-    player.play(true);
-  }
-
-  private contactsShown({ contacts }: WhatFollows): Node[] {
+  private list({ contacts }: WhatFollows): HTMLElement {
     const { player } = this.workbench;
-    const item = ({ t, pair }: WhatFollows["contacts"][number]): HTMLElement =>
-      h(
+    const item = ({ t, pair }: WhatFollows["contacts"][number]): HTMLElement => {
+      const show = (): void => {
+        player.play(false);
+        player.seek(t);
+      };
+      const text = `t = ${roundText(t, 9)}: ${pair.join(" x ")}`;
+      return h(
         "li",
         {},
-        h(
-          "button",
-          {
-            type: "button",
-            class: "instant",
-            title: "Show this instant",
-            onclick: () => {
-              player.play(false);
-              player.seek(t);
-            },
-          },
-          `t = ${roundText(t, 9)}: ${pair.join(" x ")}`,
-        ),
+        h("button", { type: "button", class: "instant", title: "Show this instant", onclick: show }, text),
       );
+    };
     const more = contacts.length - mostListed;
-    return [
-      h("ul", {}, ...contacts.slice(0, mostListed).map(item), more > 0 ? h("li", {}, `and ${more} more`) : null),
-      h("button", { type: "button", id: "reset", onclick: () => this.reset() }, "Back to the first contact"),
-    ];
+    return h("ul", {}, ...contacts.slice(0, mostListed).map(item), more > 0 ? h("li", {}, `and ${more} more`) : null);
   }
 }
 

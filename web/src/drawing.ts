@@ -3,12 +3,12 @@
 // and of lines that fall on the same pixels one is drawn.
 import type { Camera } from "./camera";
 import type { Figure } from "./figure";
-import type { Frame, Layers } from "./frame";
+import type { Frame, Layers, RegionMarks } from "./frame";
 import { MapShape } from "./mapshape";
 import { Marks, pixelOf, type VertexPixels } from "./marks";
 import { addSegment, clipPolygon, farAway, SeenSegments } from "./pixels";
 import type { Replay } from "./replay";
-import type { Colours } from "./theme";
+import { pairStyles, type Colours } from "./theme";
 import { WorldPainter } from "./worlddrawing";
 
 /** At full detail; see Painter.detail. */
@@ -61,6 +61,28 @@ export class Painter {
     this.marks.contactNames(frame.contacts, colours);
     for (const fault of frame.faults) this.marks.fault(frame, fault, colours);
     this.marks.scaleBar(colours);
+  }
+
+  /** Over the bodies, which are seen through it. */
+  region({ body, parts }: RegionMarks, frame: Frame, colours: Colours): void {
+    const c = this.context;
+    const path = new Path2D();
+    for (const ring of parts.flat()) {
+      ring.forEach((point, i) =>
+        i === 0 ? path.moveTo(...this.camera.pixel(...point)) : path.lineTo(...this.camera.pixel(...point)),
+      );
+      path.closePath();
+    }
+    const styles = frame.world?.styles ?? pairStyles;
+    c.save();
+    c.fillStyle = c.strokeStyle = styles[Math.max(0, body) % styles.length][0];
+    c.globalAlpha = 0.28;
+    c.fill(path, "evenodd");
+    c.globalAlpha = 1;
+    c.strokeStyle = colours.worldLine || c.strokeStyle;
+    c.lineWidth = 1.2;
+    c.stroke(path);
+    c.restore();
   }
 
   /** Two bodies and the tiling between them. */

@@ -36,6 +36,12 @@ export interface NearestMarks {
   label: string;
 }
 
+/** What a body passes over: of each part the outline, then its holes. */
+export interface RegionMarks {
+  body: number;
+  parts: [number, number][][][];
+}
+
 /** A vertex, or the edge from it on. */
 export interface Culprit {
   part: number;

@@ -176,8 +176,8 @@ export class Playground {
   }
 
   private setMode(mode: Mode): void {
-    const { stage, aftermath } = this.workbench;
-    if (mode !== this.editor.mode) aftermath.reset();
+    const { stage, excursion } = this.workbench;
+    if (mode !== this.editor.mode) excursion.reset();
     this.editor.mode = mode;
     this.panel.showMode(mode);
     const way = mode === "way";

@@ -1,10 +1,21 @@
 // What is asked, and the answers in words; the free directions as roses.
 import { h } from "./dom";
-import type { NearestMarks } from "./frame";
+import type { Excursion } from "./excursion";
+import type { NearestMarks, RegionMarks } from "./frame";
 import { NumberField } from "./numberfield";
 import type { Player } from "./player";
-import type { FreeDirections, Nearest, Overlap, QuestionName, Questions, SeparationAnswer } from "./questions";
+import type { Scene } from "./engine";
+import type {
+  FreeDirections,
+  Nearest,
+  Overlap,
+  QuestionName,
+  Questions,
+  SeparationAnswer,
+  SweptAnswer,
+} from "./questions";
 import { arcText, rose } from "./rose";
+import type { Verdict } from "./workbench";
 import { coverageText, roundText, timeText, untested } from "./words";
 
 /** Bodies that have a rose of their own. */
@@ -18,6 +29,7 @@ const questions: [QuestionName, string, string][] = [
   ["intervals", "When do they overlap, all of the time?", "taut intervals"],
   ["range", "How far can they go from here?", "taut range --from T"],
   ["separate", "In which directions do they come apart?", "taut separate"],
+  ["swept", "Which region does a body pass over?", "taut swept --body NAME"],
 ];
 
 export class QuestionPanel {
@@ -33,11 +45,31 @@ export class QuestionPanel {
       wrong: (value) => (value > 0 ? "" : "it must be greater than 0"),
     },
   );
+  /** Do bodies turn where they come apart? */
+  private readonly turns = h("input", {
+    type: "checkbox",
+    id: "turns",
+    onchange: () => this.choose("separate"),
+  });
+  private readonly turnsLabel = h(
+    "label",
+    { class: "of-question", title: "taut separate --turns" },
+    this.turns,
+    "also one by one, along ways on which they turn",
+  );
+  /** Which body passes over a region? */
+  private readonly body = h("select", {
+    id: "swept-body",
+    class: "of-question",
+    "aria-label": "Body",
+    onchange: () => this.choose("swept"),
+  });
   private shown = -1;
 
   constructor(
     private readonly player: Player,
     private readonly asked: Questions,
+    private readonly excursion: Excursion,
   ) {
     for (const [name, text, command] of questions) {
       const box = h("input", { type: "checkbox", id: `ask-${name}`, onchange: () => this.choose(name) });
@@ -45,8 +77,14 @@ export class QuestionPanel {
       this.boxes.set(name, box);
       this.words.set(name, words);
       const label = h("label", { title: command }, box, text);
-      this.element.append(label, ...(name === "check_clearance" ? [this.margin.input, this.margin.fault] : []), words);
+      this.element.append(label, ...this.optionsBelow(name), words);
     }
+  }
+
+  private optionsBelow(name: QuestionName): HTMLElement[] {
+    if (name === "check_clearance") return [this.margin.input, this.margin.fault];
+    if (name === "separate") return [this.turnsLabel];
+    return name === "swept" ? [this.body] : [];
   }
 
   private choose(name: QuestionName): void {
@@ -56,6 +94,8 @@ export class QuestionPanel {
   private optionsOf(name: QuestionName): Record<string, unknown> {
     if (name === "distance_profile") return { instants: 200 };
     if (name === "range") return { from: this.player.t };
+    if (name === "separate") return this.turns.checked ? { turns: true, scene: true } : {};
+    if (name === "swept") return { body: this.body.value };
     if (name !== "check_clearance") return {};
     // To begin with, a hundredth of the first body.
     if (this.margin.value === null) this.margin.show(roundText(this.player.figures[0].diameter / 100, 1));
@@ -74,9 +114,32 @@ export class QuestionPanel {
     return { points, label: `${roundText(margin.first!.distance!, 9)} apart` };
   }
 
+  /** What is shown of the answers in the picture. */
+  region(): RegionMarks | null {
+    const { swept } = this.asked.answers;
+    if (!swept) return null;
+    const body = this.player.scene.bodies.findIndex(({ name }) => name === swept.body);
+    return { body, parts: swept.parts.map(({ outline, holes = [] }) => [outline, ...holes]) };
+  }
+
+  /** The bodies of the scene; the one that was asked about stays chosen while it is there. */
+  private showBodies(): void {
+    const names = this.player.scene.bodies.map(({ name }) => name);
+    const key = JSON.stringify(names);
+    if (this.body.dataset.key === key) return;
+    this.body.dataset.key = key;
+    const last = this.body.value || (this.asked.asked.swept?.body as string | undefined);
+    const chosen = last !== undefined && names.includes(last) ? last : names[names.length - 1];
+    this.body.replaceChildren(...names.map((name) => h("option", { value: name, selected: name === chosen }, name)));
+    if (this.asked.asked.swept && chosen !== this.asked.asked.swept.body) this.choose("swept");
+  }
+
   show(): void {
+    this.showBodies();
     if (this.shown === this.asked.version) return;
     this.shown = this.asked.version;
+    this.turnsLabel.hidden = this.asked.asked.separate === undefined;
+    this.body.hidden = this.asked.asked.swept === undefined;
     this.margin.input.hidden = this.asked.asked.check_clearance === undefined;
     for (const [name] of questions) {
       this.boxes.get(name)!.checked = this.asked.asked[name] !== undefined;
@@ -91,6 +154,7 @@ export class QuestionPanel {
     if (failure) return [h("p", {}, failure)];
     const answer = answers[name];
     if (!answer) return [h("p", { class: "none" }, "…")];
+    if (!("outcome" in answer)) return sweptWords(answer);
     if (answer.outcome === "untested") return [h("p", {}, answer.reason ?? "")];
     const untestedPairs = untested(answer.coverage) > 0 ? [h("p", {}, coverageText(answer.coverage))] : [];
     return [...untestedPairs, ...this.decidedWords(name)];
@@ -104,7 +168,38 @@ export class QuestionPanel {
     if (name === "distance_profile") return this.profileWords();
     if (name === "check_clearance") return this.marginWords();
     if (name === "range") return this.rangeWords();
-    return separationWords(answers.separate!);
+    return [...separationWords(answers.separate!), ...this.leavingWords(answers.separate!)];
+  }
+
+  /** With turns: who leaves along a way, and who does not. */
+  private leavingWords({ ways, unsure = [], scene }: SeparationAnswer): Node[] {
+    if (!ways) return [];
+    const lines = ways.map(({ body, points }) => {
+      const turned = points.some(({ deg }) => deg !== points[0].deg);
+      return h("li", {}, `${body}: ${turned ? "turning on its way" : "without a turn"}`);
+    });
+    const words: Node[] = [];
+    if (lines.length > 0)
+      words.push(h("p", {}, "They leave one by one, each instant proved free:"), h("ol", {}, ...lines));
+    if (unsure.length > 0) words.push(h("p", {}, `Undecided: ${unsure.join(", ")}.`));
+    if (scene && lines.length > 0)
+      words.push(
+        h(
+          "button",
+          { type: "button", id: "show-leaving", onclick: () => this.showLeaving(scene, ways.length) },
+          "Show them leave",
+        ),
+      );
+    return words;
+  }
+
+  private showLeaving(scene: Scene, count: number): void {
+    const verdict: Verdict = {
+      headline: count === 1 ? "One body leaves" : `${count} bodies leave`,
+      outcome: "free",
+      lines: ["One after the other; those that have left wait in nobody's way. Every instant of it is proved free."],
+    };
+    this.excursion.show({ scene: structuredClone(scene), verdict, more: [], back: "Back to where they stand" });
   }
 
   private intervalsWords(): Node[] {
@@ -191,6 +286,16 @@ export class QuestionPanel {
 /** Of a distance: its digits, or its bracket where that is wide. */
 function bracketText(lo: number, hi: number): string {
   return hi - lo < 1e-6 * hi ? roundText((lo + hi) / 2, 7) : `${roundText(lo)} to ${roundText(hi)}`;
+}
+
+function sweptWords({ area, tolerance }: SweptAnswer): Node[] {
+  return [
+    h(
+      "p",
+      {},
+      `The region has an area of ${roundText(area)}. It contains all that the body passes over, and reaches at most ${roundText(tolerance, 3)} beyond.`,
+    ),
+  ];
 }
 
 function roseOf(directions: FreeDirections): HTMLElement {

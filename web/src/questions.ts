@@ -1,6 +1,16 @@
 // Questions beyond the first contact: asked of the library by the names that they have there, answered as the commands
 // answer them with --json.
-import { TautError, type Coverage, type Feature, type Lock, type Outcome, type PairAnswer, type Scene } from "./engine";
+import { Background } from "./background";
+import {
+  TautError,
+  type Coverage,
+  type Feature,
+  type Lock,
+  type Outcome,
+  type PairAnswer,
+  type Ring,
+  type Scene,
+} from "./engine";
 import type { Player } from "./player";
 
 export interface Overlap {
@@ -71,6 +81,20 @@ export interface SeparationAnswer extends Partial<FreeDirections> {
   stuck?: string[];
   reason?: string;
   wide?: string;
+  /** With turns: who leaves, one after the other, and along which places. */
+  ways?: { body: string; points: { x: number; y: number; deg: number }[] }[];
+  /** Bodies of which it is not known whether they come out. */
+  unsure?: string[];
+  /** The bodies as they leave; null if none does. */
+  scene?: Scene | null;
+}
+
+/** What a body passes over, and a little more. */
+export interface SweptAnswer {
+  body: string;
+  tolerance: number;
+  area: number;
+  parts: { outline: Ring; holes?: Ring[] }[];
 }
 
 export interface RangeAnswer extends Verdict {
@@ -104,6 +128,7 @@ export interface Answers {
   separate: SeparationAnswer;
   range: RangeAnswer;
   check_clearance: MarginAnswer;
+  swept: SweptAnswer;
 }
 export type QuestionName = keyof Answers;
 
@@ -112,8 +137,8 @@ export type Asked = { [Name in QuestionName]?: Record<string, unknown> };
 
 /** The questions for which it matters what touching means. */
 const takesTouch = new Set<QuestionName>(["intervals", "range", "check_clearance"]);
-/** How long each question may take at most, in seconds: the page waits. */
-const longestWait = 10;
+/** How long each question may take at most, in seconds. */
+const longestWait = 60;
 /** For so long nothing may change before a question is asked, in milliseconds. */
 const settlingTime = 150;
 
@@ -126,6 +151,9 @@ export class Questions {
   version = 0;
   private about = -1;
   private timer = 0;
+  private readonly background = new Background();
+  /** The question that is being answered. */
+  private asking: QuestionName | null = null;
 
   constructor(
     private readonly player: Player,
@@ -135,6 +163,7 @@ export class Questions {
   choose(name: QuestionName, options: Record<string, unknown> | null): void {
     if (options) this.asked[name] = options;
     else delete this.asked[name];
+    if (this.asking === name) this.background.stop();
     this.forget(name);
     this.showBeyond();
     this.changed();
@@ -144,10 +173,11 @@ export class Questions {
   update(): void {
     if (this.about !== this.player.opened) {
       this.about = this.player.opened;
+      this.background.stop();
       for (const name of this.names()) this.forget(name);
       this.showBeyond();
       this.wait();
-    } else if (this.waiting() && this.timer === 0) {
+    } else if (this.waiting() && this.timer === 0 && !this.asking) {
       this.wait();
     }
   }
@@ -169,8 +199,10 @@ export class Questions {
 
   /** What is asked about all of the time is shown for all of the time. */
   private showBeyond(): void {
-    const { intervals, clearance, distance_profile, range } = this.asked;
-    this.player.beyond = [intervals, clearance, distance_profile, range].some((options) => options !== undefined);
+    const { intervals, clearance, distance_profile, range, swept } = this.asked;
+    this.player.beyond = [intervals, clearance, distance_profile, range, swept].some(
+      (options) => options !== undefined,
+    );
   }
 
   private wait(): void {
@@ -184,20 +216,27 @@ export class Questions {
     if (this.about !== this.player.opened) return;
     if (!this.player.finished) return this.wait();
     const name = this.names().find((each) => !this.answers[each] && !this.failures[each]);
-    if (!name) return;
-    this.ask(name, this.player.scene);
-    ++this.version;
-    this.changed();
-    this.timer = window.setTimeout(() => this.askNext(), 0);
+    if (name && !this.asking) void this.ask(name, this.player.scene);
   }
 
-  private ask<Name extends QuestionName>(name: Name, scene: Scene): void {
+  /** On another thread. What was chosen anew, or another scene, ends it without an answer. */
+  private async ask<Name extends QuestionName>(name: Name, scene: Scene): Promise<void> {
     const touch = this.player.closed ? "closed" : "open";
-    const options = { ...this.asked[name], ...(takesTouch.has(name) ? { touch } : {}), max_seconds: longestWait };
+    const wanted = this.asked[name];
+    const options = { ...wanted, ...(takesTouch.has(name) ? { touch } : {}), max_seconds: longestWait };
+    const about = this.about;
+    this.asking = name;
     try {
-      this.answers[name] = this.player.engine.ask<Answers[Name]>(name, scene, options) as Answers[typeof name];
+      const answer = (await this.background.call("ask", name, scene, options)) as Answers[typeof name] | null;
+      if (answer && this.about === about && this.asked[name] === wanted) this.answers[name] = answer;
     } catch (error) {
-      this.failures[name] = error instanceof TautError ? error.message : String(error);
+      if (this.about === about && this.asked[name] === wanted)
+        this.failures[name] = error instanceof TautError ? error.message : String(error);
     }
+    this.asking = null;
+    ++this.version;
+    this.changed();
+    if (this.about === about) this.timer = window.setTimeout(() => this.askNext(), 0);
+    else this.wait();
   }
 }

@@ -77,9 +77,9 @@ export class SaveMenu {
   }
 
   private saveScene(): void {
-    const { aftermath, player } = this.workbench;
+    const { excursion, player } = this.workbench;
     // What followed a contact is the page's, not the editor's.
-    const scene = aftermath.active ? player.scene : this.host.scene();
+    const scene = excursion.active ? player.scene : this.host.scene();
     saveFile(JSON.stringify(scene, null, 1), `${this.host.name()}.json`, "application/json");
   }
 

@@ -3,7 +3,7 @@ import { Camera, type Box } from "./camera";
 import { fitCanvas, h, iconButton } from "./dom";
 import { Painter } from "./drawing";
 import { placed } from "./figure";
-import type { FaultMarks, Frame, Layers, NearestMarks } from "./frame";
+import type { FaultMarks, Frame, Layers, NearestMarks, RegionMarks } from "./frame";
 import { heightsText, Hidden, layersOf } from "./heights";
 import type { Player } from "./player";
 import { ringText, roundText } from "./words";
@@ -38,6 +38,8 @@ export class Stage {
   faults: FaultMarks[] = [];
   /** Where bodies are closest, if that is now. */
   nearest: NearestMarks | null = null;
+  /** What a body passes over. */
+  region: RegionMarks | null = null;
   /** What is not to be seen of a world. */
   readonly hidden = new Hidden();
   tool: Tool | null = null;
@@ -101,6 +103,7 @@ export class Stage {
     this.camera.resize(width, height);
     const colours = this.colours();
     this.painter.draw(this.frame(), this.layers, colours, ratio);
+    if (this.region) this.painter.region(this.region, this.frame(), colours);
     if (this.nearest) this.painter.marks.nearest(this.nearest, colours);
     this.tool?.draw(this.canvas.getContext("2d")!, this.camera, colours);
   }

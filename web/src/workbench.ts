@@ -4,6 +4,7 @@ import { Aftermath } from "./aftermath";
 import { Background } from "./background";
 import { BodyTree } from "./bodytree";
 import { EventList } from "./eventlist";
+import { Excursion } from "./excursion";
 import { EventText } from "./eventtext";
 import { placed } from "./figure";
 import { helpDialog } from "./help";
@@ -39,7 +40,8 @@ export class Workbench {
   /** Of another question than the scene's first contact. */
   verdict: (() => Verdict) | null = null;
   readonly background = new Background();
-  readonly aftermath = new Aftermath(this);
+  readonly excursion = new Excursion(this);
+  private readonly aftermath = new Aftermath(this);
 
   private readonly events: EventList;
   private readonly plot: CountPlot;
@@ -98,7 +100,7 @@ export class Workbench {
     this.strip = new EventStrip(player);
     this.questions = new Questions(player, () => this.redraw());
     this.lanes = new Lanes(player, this.questions);
-    this.questionPanel = new QuestionPanel(player, this.questions);
+    this.questionPanel = new QuestionPanel(player, this.questions, this.excursion);
     const plotCanvas = h("canvas", {
       class: "plot",
       id: "plot",
@@ -115,7 +117,7 @@ export class Workbench {
     this.side = h(
       "aside",
       { "aria-label": "Details" },
-      section("Answer", this.answerChip, this.answerText, this.aftermath.element),
+      section("Answer", this.answerChip, this.answerText, this.excursion.element, this.aftermath.element),
       section("Questions", this.questionPanel.element),
       this.bodiesPart,
     );
@@ -232,6 +234,7 @@ export class Workbench {
       stage.refit();
     }
     stage.nearest = this.questionPanel.marks();
+    stage.region = this.questionPanel.region();
     stage.draw();
     this.lanes.draw(stage.colours());
     this.showTime();
@@ -264,6 +267,7 @@ export class Workbench {
   }
 
   private showAnswer(): void {
+    this.excursion.update();
     this.aftermath.update();
     if (this.verdict) return this.showVerdict(this.verdict());
     const { player } = this;

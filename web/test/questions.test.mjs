@@ -1,7 +1,18 @@
 // Questions beyond the first contact: what both pages say and draw of them is what the command says.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { duringTests, openPage, pixelsOf, run, screenshot, settled, shownTime, viewPage } from "./support.mjs";
+import {
+  check,
+  duringTests,
+  openPage,
+  pixelsOf,
+  run,
+  save,
+  screenshot,
+  settled,
+  shownTime,
+  viewPage,
+} from "./support.mjs";
 
 const site = duringTests();
 
@@ -216,6 +227,101 @@ test("lanes fit a narrow window", async () => {
   const wide = await page.evaluate(() => document.documentElement.scrollWidth);
   assert.ok(wide <= 390, `${wide} pixels`);
   await screenshot(page, "questions-narrow");
+  assert.deepEqual(page.problems, []);
+  await page.close();
+});
+
+test("the region that a body passes over is drawn, and is the command's", async () => {
+  const scene = "examples/mechanisms/crank_rocker.json";
+  const page = await view(scene, "questions-swept", []);
+  await page.check("#ask-swept");
+  await page.selectOption("#swept-body", "coupler");
+  await answered(page);
+  await settled(page);
+  const expected = ask("swept", scene, "--body", "coupler");
+  assert.deepEqual((await answers(page)).swept, expected);
+  assert.match(await page.textContent("#answer-swept"), new RegExp(`area of ${Number(expected.area.toPrecision(6))}`));
+  // A place that is within the region, and under no body then, has a tint; one outside has none.
+  const colourAt = (x, y) =>
+    page.evaluate(
+      ([wx, wy]) => {
+        const { stage } = window.taut;
+        const [px, py] = stage.camera.pixel(wx, wy);
+        const ratio = stage.canvas.width / stage.canvas.clientWidth;
+        return [
+          ...stage.canvas.getContext("2d").getImageData(Math.round(px * ratio), Math.round(py * ratio), 1, 1).data,
+        ];
+      },
+      [x, y],
+    );
+  const [outline] = expected.parts.map((part) => part.outline);
+  const right = outline.reduce((most, p) => (p[0] > most[0] ? p : most));
+  const colours = [await colourAt(right[0] - 1, right[1]), await colourAt(right[0] + 2, right[1])].map(String);
+  assert.notEqual(colours[0], colours[1], "the region has an edge there");
+  assert.equal(colours[1], "255,255,255,255");
+  await screenshot(page, "questions-swept");
+  await page.selectOption("#swept-body", "crank");
+  await answered(page);
+  await settled(page);
+  assert.deepEqual((await answers(page)).swept, ask("swept", scene, "--body", "crank"));
+  await page.uncheck("#ask-swept");
+  await settled(page);
+  assert.ok(!(await page.isVisible("#swept-body")));
+  assert.equal(await page.evaluate(() => window.taut.stage.region), null);
+  assert.deepEqual(page.problems, []);
+  await page.close();
+});
+
+test("bodies that come apart by turning are shown as they leave", async () => {
+  const scene = "examples/worlds/bent_bar.json";
+  const page = await view(scene, "questions-turns", ["--separate"]);
+  await answered(page);
+  await settled(page);
+  assert.match(await page.textContent("#answer-separate"), /Stuck: block, bar/);
+  assert.equal(await page.$("#show-leaving"), null);
+  await page.check("#turns");
+  await answered(page);
+  await settled(page);
+  const expected = ask("separate", "--turns", scene);
+  const { scene: leaving, ...found } = (await answers(page)).separate;
+  assert.deepEqual(found.ways, expected.ways);
+  assert.deepEqual([found.outcome, found.stuck, found.unsure], [expected.outcome, expected.stuck, expected.unsure]);
+  assert.match(await page.textContent("#answer-separate"), /plug: without a turn.*bar: turning on its way/);
+  await page.click("#show-leaving");
+  await page.waitForSelector("#reset");
+  await page.waitForFunction(() => window.taut.player.playing && window.taut.player.t > window.taut.player.start);
+  assert.equal(await page.textContent("#headline"), "2 bodies leave");
+  const file = await save(page, "#export", "leaving.json");
+  assert.equal(check(file).outcome, "free");
+  assert.equal(JSON.parse(run("check", "--json", file)).scope.time[1], leaving.time[1]);
+  await screenshot(page, "questions-turns");
+  await page.click("#reset");
+  await answered(page);
+  assert.deepEqual(await page.evaluate(() => window.taut.player.scene.time), [0, 1]);
+  assert.deepEqual(page.problems, []);
+  await page.close();
+});
+
+test("a question that takes long leaves the page as it is, and ends when it is not asked any more", async () => {
+  // A spiral along another one: the distance at thousands of instants.
+  const page = await openPage(site.browser, site.server.address);
+  await page.selectOption("#example", "spiral");
+  await page.waitForFunction(() => window.taut.player.finished && !window.playground.pending);
+  await page.evaluate(() => window.taut.questions.choose("distance_profile", { instants: 100000 }));
+  await page.waitForFunction(() => window.taut.questions.asking === "distance_profile");
+  // Frames go on meanwhile.
+  const frames = await page.evaluate(async () => {
+    const begun = performance.now();
+    let count = 0;
+    for (; performance.now() - begun < 500; ++count) await new Promise((done) => requestAnimationFrame(done));
+    return [count, window.taut.questions.asking];
+  });
+  assert.ok(frames[0] > 5 && frames[1] === "distance_profile", frames.join());
+  await page.uncheck("#ask-distance_profile");
+  await page.waitForFunction(() => window.taut.questions.asking === null, null, { timeout: 2000 });
+  await page.check("#ask-clearance");
+  await answered(page);
+  assert.ok((await answers(page)).clearance.clearance.hi > 0);
   assert.deepEqual(page.problems, []);
   await page.close();
 });
