@@ -4,8 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <variant>
 
 #include "draw/svg_plot.hpp"
+#include "scene/linkage.hpp"
 #include "scene/untested.hpp"
 #include "taut/error.hpp"
 #include "taut/io.hpp"
@@ -92,11 +95,25 @@ std::string value_mark(const io::PlotPanel& panel, const JointValues& values, bo
       what, chart_number(at.x), chart_number(at.y), colour);
 }
 
+/// The joint's name, with the unit of one that turns bodies and shifts none.
+std::string axis_name(const Linkage& linkage, std::size_t joint) {
+  bool turns = false, shifts = false;
+  for (const std::optional<JointMotion>& motion : linkage.motions) {
+    if (!motion) continue;
+    for (const JointMotion& single : single_motions(*motion)) {
+      if (single.joint != static_cast<int>(joint)) continue;
+      (std::holds_alternative<Revolute>(single.kind) ? turns : shifts) = true;
+    }
+  }
+  return linkage.joints[joint].name + (turns && !shifts ? " (deg)" : "");
+}
+
 /// The cells with their legend and the axes; marks come after it.
 class JointValuesPlot {
  public:
-  JointValuesPlot(const std::vector<Joint>& joints, int width, const StateColours& colours)
-      : joints_(joints), colours_(colours), strip_(joints.size() == 1) {
+  JointValuesPlot(const Linkage& linkage, int width, const StateColours& colours)
+      : linkage_(linkage), colours_(colours), strip_(linkage.joints.size() == 1) {
+    const std::vector<Joint>& joints = linkage.joints;
     if (joints.size() > 2)
       throw InputError("joints", "there are " + std::to_string(joints.size()) + ", and a picture has two directions",
                        "fix one of them by a range of length 0 in a copy of the scene without it, or ask for --json");
@@ -116,13 +133,16 @@ class JointValuesPlot {
     std::string s = io::chart_head(width_, above_plot + panel_.height + 56, title);
     // Exact signs decide without cells.
     if (!cells.empty()) s += state_legend(shares, 46, colours_);
-    s += cells_svg(panel_, cells, strip_, colours_) + panel_.time_axis(joints_[0].name);
+    s += cells_svg(panel_, cells, strip_, colours_) + panel_.time_axis(axis_name(linkage_, 0));
     if (strip_) return s;
-    return s + panel_.value_axis() + io::chart_text(left_of_plot - 9, above_plot - 6, joints_[1].name, "end");
+    const std::string name = axis_name(linkage_, 1);
+    const bool fits = name.size() <= 12;
+    return s + panel_.value_axis() +
+           io::chart_text(fits ? left_of_plot - 9 : 4, above_plot - 6, name, fits ? "end" : "start");
   }
 
  private:
-  const std::vector<Joint>& joints_;
+  const Linkage& linkage_;
   const StateColours& colours_;
   bool strip_;
   double width_;
@@ -205,7 +225,7 @@ std::string way_svg(const JointValuesPlot& plot, const PathProblem& problem, con
 }  // namespace
 
 std::string envelope_svg(const Linkage& linkage, const Envelope& answer, int width) {
-  const JointValuesPlot plot(linkage.joints, width, envelope_colours);
+  const JointValuesPlot plot(linkage, width, envelope_colours);
   std::string s = plot.svg("Envelope: " + std::string(to_string(answer.outcome)) + untested_note(answer.coverage),
                            {answer.free, answer.colliding, answer.undecided}, answer.cells);
   if (answer.witness) s += value_mark(plot.panel(), answer.witness->values, plot.strip(), "witness");
@@ -213,7 +233,7 @@ std::string envelope_svg(const Linkage& linkage, const Envelope& answer, int wid
 }
 
 std::string path_svg(const PathProblem& problem, const PathAnswer& answer, int width) {
-  const JointValuesPlot plot(problem.linkage.joints, width, search_colours);
+  const JointValuesPlot plot(problem.linkage, width, search_colours);
   std::string s = plot.svg("Way: " + std::string(to_string(answer.outcome)) + untested_note(answer.coverage),
                            shares_of(answer.cells, problem.linkage.joints.size()), answer.cells);
   if (!answer.waypoints.empty()) s += way_svg(plot, problem, answer.waypoints);

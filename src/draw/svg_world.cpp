@@ -84,7 +84,7 @@ class WorldPicture {
 
   std::string draw_number(std::size_t body) const {
     const io::InnerPoint& inner = shapes_.inner(body);
-    if (!options_.legend || !io::has_room(inner, canvas_.scale(), body)) return "";
+    if (!options_.legend || !io::has_room(inner, canvas_.scale(), body) || shapes_.is_covered(body, poses_)) return "";
     const Point p = canvas_.pixel(io::placed(poses_[body], inner.at));
     return fmt::format("<g transform=\"translate({})\">{}</g>\n", io::pixel_text(p), io::number_mark(body));
   }

@@ -91,6 +91,40 @@ std::vector<std::vector<Polygon>> rings_of(const Body& body) {
 
 }  // namespace
 
+namespace {
+
+/// By the parity of the edges that a ray to the right crosses.
+bool is_within(const std::vector<Polygon>& rings, const Point& p) {
+  bool odd = false;
+  each_edge(rings, [&](const Point& a, const Point& b) {
+    if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (b.x - a.x) * ((p.y - a.y) / (b.y - a.y))) odd = !odd;
+  });
+  return odd;
+}
+
+}  // namespace
+
+bool WorldShapes::is_covered(std::size_t body, const std::vector<BodyPose>& poses) const {
+  const auto has_number = [&](const PaintedSheet& sheet) {
+    return sheet.body == body &&
+           std::find(sheet.parts.begin(), sheet.parts.end(), bodies_[body].inner.part) != sheet.parts.end();
+  };
+  const Point at = placed(poses[body], bodies_[body].inner.at);
+  auto sheet = std::find_if(sheets_.begin(), sheets_.end(), has_number);
+  for (; sheet != sheets_.end(); ++sheet) {
+    const Shape& other = bodies_[sheet->body];
+    const BodyPose& pose = poses[sheet->body];
+    const Point middle = placed(pose, other.middle);
+    if (sheet->body == body || !(std::hypot(at.x - middle.x, at.y - middle.y) < other.extent)) continue;
+    const double dx = at.x - pose.origin.x, dy = at.y - pose.origin.y;
+    const Point seen{pose.axis.x * dx + pose.axis.y * dy, pose.axis.x * dy - pose.axis.y * dx};
+    for (const std::size_t part : sheet->parts) {
+      if (is_within(other.parts[part], seen)) return true;
+    }
+  }
+  return false;
+}
+
 BodyStyle body_style(std::size_t body) { return styles[body % body_styles]; }
 
 WorldShapes::WorldShapes(const Scene& scene) {

@@ -48,6 +48,10 @@ class WorldShapes {
   const InnerPoint& inner(std::size_t body) const { return bodies_[body].inner; }
   /// Of its bounds.
   const Point& middle(std::size_t body) const { return bodies_[body].middle; }
+  /// The diagonal of its bounds.
+  double extent(std::size_t body) const { return bodies_[body].extent; }
+  /// Is the body's inner point below another body, where they stand so? A number there would be read as that one's.
+  bool is_covered(std::size_t body, const std::vector<BodyPose>& poses) const;
   std::size_t vertices() const { return vertices_; }
   /// Lower layers first; of one layer, larger bodies first, so that none hides a smaller one that it overlaps.
   const std::vector<PaintedSheet>& sheets() const { return sheets_; }

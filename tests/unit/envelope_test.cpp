@@ -409,7 +409,7 @@ TEST(Envelope, AsJsonAndPicture) {
   EXPECT_EQ(text.find("{\"id\":7,\"outcome\":\"contact\",\"joints\":[{\"name\":\"x\",\"range\":[0,8]}"), 0u);
   EXPECT_NE(text.find("\"cells\":[{\"state\":"), std::string::npos);
   const std::string picture = envelope_svg(linkage, answer);
-  for (const char* part : {"class=\"free\"", "class=\"colliding\"", "class=\"witness\"", ">turn<"})
+  for (const char* part : {"class=\"free\"", "class=\"colliding\"", "class=\"witness\"", ">turn (deg)<", ">x<"})
     EXPECT_NE(picture.find(part), std::string::npos) << part;
 }
 

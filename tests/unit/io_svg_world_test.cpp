@@ -1,6 +1,7 @@
 // Pictures of worlds: all bodies where their chains of parents put them, holes, marks, and a legend that can be read.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -126,6 +127,29 @@ TEST(SvgWorld, CountsWhatIsTooMuchToList) {
   EXPECT_EQ(svg.find(">body 60<"), std::string::npos);
   const double height = std::stod(attribute(svg.substr(0, svg.find('>')), "height"));
   EXPECT_LT(height, 1300);
+}
+
+/// A number over another body would be read as that one's; in a hole of that body it is seen.
+TEST(SvgWorld, WritesNoNumberOverAnotherBody) {
+  Scene scene;
+  scene.end = 1;
+  Body frame;
+  frame.name = "frame";
+  frame.parts = {{{{-9, -9}, {9, -9}, {9, 9}, {-9, 9}}, {{{-4, -4}, {4, -4}, {4, 4}, {-4, 4}}}}};
+  frame.motion = from_velocity({20, 0});
+  scene.bodies = {named("low", {{-3, -3}, {3, -3}, {3, 3}, {-3, 3}}), frame};
+  scene.bodies[0].z = {0, 1};
+  scene.bodies[1].z = {1, 2};
+  const auto numbers = [&](double t) {
+    const std::string picture = draw_svg(scene, t);
+    return std::array{count(picture, "text-anchor=\"middle\" font-size=\"11\" fill=\"#fff\">1<"),
+                      count(picture, "text-anchor=\"middle\" font-size=\"11\" fill=\"#000\">2<")};
+  };
+  // In the picture and in the legend; the frame covers the other body as it passes, from 4 to 9 to its right.
+  const auto seen = numbers(0), covered = numbers(0.325), passed = numbers(1);
+  EXPECT_EQ(seen, passed);
+  EXPECT_EQ(covered[0] + 1, seen[0]);
+  EXPECT_EQ(covered[1], seen[1]);
 }
 
 TEST(SvgWorld, NamesThePairThatMeetsOrOverlaps) {

@@ -195,7 +195,7 @@ TEST(Path, StartsAndGoalsThatCollide) {
 TEST(Path, MapsOfTwoJoints) {
   const PathProblem reach = read_path_problem("examples/paths/reach.json");
   const std::string none = path_svg(reach, find_path(reach));
-  for (const char* part : {"Way: none", "class=\"colliding\"", "class=\"start\"", "class=\"goal\"", ">shoulder<"})
+  for (const char* part : {"Way: none", "class=\"colliding\"", "class=\"start\"", "class=\"goal\"", ">shoulder (deg)<"})
     EXPECT_NE(none.find(part), std::string::npos) << part;
   EXPECT_EQ(none.find("class=\"way\""), std::string::npos);
   PathProblem around = slot(2.25);
