@@ -285,7 +285,31 @@ function drawLeast(place: Place, least: Nearest, curve: DistanceCurve | undefine
   dot(place, x(least.t[0]), y, colours.nearest);
   const text = `least ${timeText(least.lo, least.hi)}`;
   const room = c.measureText(text).width;
-  const right = x(least.t[0]) + 9 + room < width - edge;
-  const left = right ? x(least.t[0]) + 9 : x(least.t[0]) - 9 - room;
-  write({ ...place, colours: { ...colours, muted: colours.nearest } }, text, Math.max(curve ? 30 : 12, y - 5), left);
+  const { at, left } = placeOfLeast(place, curve, x(least.t[0]), y, room);
+  write({ ...place, colours: { ...colours, muted: colours.nearest } }, text, at, left);
+}
+
+/** Beside its dot, on either side, as near to it as the curve leaves room. */
+function placeOfLeast(
+  { width, height, x }: Place,
+  curve: DistanceCurve | undefined,
+  dotX: number,
+  dotY: number,
+  room: number,
+): { at: number; left: number } {
+  const sides = [dotX + 9, dotX - 9 - room].filter((left) => left >= edge && left + room <= width - edge);
+  const near = Math.max(curve ? 30 : 12, dotY - 5);
+  if (!curve) return { at: near, left: sides[0] ?? edge };
+  const level = levelOf(height, curve);
+  const covered = (left: number, at: number): boolean =>
+    curve.instants.some(([t, lo, hi]) => {
+      const [px, py] = [x(t), level((lo + hi) / 2)];
+      return px > left - 6 && px < left + room + 6 && py > at - 14 && py < at + 6;
+    });
+  const places = sides.flatMap((left) =>
+    Array.from({ length: Math.max(1, Math.floor((height - 36) / 4)) }, (_, k) => ({ left, at: 30 + 4 * k })),
+  );
+  const free = places.filter(({ left, at }) => !covered(left, at));
+  free.sort((a, b) => Math.abs(a.at - near) - Math.abs(b.at - near));
+  return free[0] ?? { at: near, left: sides[0] ?? edge };
 }
