@@ -50,7 +50,9 @@ test("a robot bounces off walls and pillars, with the energy that it has", async
   assert.equal(turns.size, flights.length, "each contact changes the velocity");
   // A contact in the list leads to its instant.
   await page.click("#excursion li:nth-child(2) button");
-  const [second] = await contacts(page).then((all) => all.slice(1).map((text) => Number(/^t = ([\d.]+)/.exec(text)[1])));
+  const [second] = await contacts(page).then((all) =>
+    all.slice(1).map((text) => Number(/^t = ([\d.]+)/.exec(text)[1])),
+  );
   const shown = await page.evaluate(() => window.taut.player.t);
   assert.ok(Math.abs(shown - second) < 1e-8, `${shown} and ${second}`);
   await screenshot(page, "aftermath-bounce");

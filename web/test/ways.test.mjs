@@ -235,3 +235,43 @@ test("the viewer's page looks for ways, too, also on a phone", async () => {
   assert.deepEqual(page.problems, []);
   await page.close();
 });
+
+test("what is exactly tight is undecided, and the place is marked", async () => {
+  // A table and a door of just its width.
+  const wall = (from, to) => [
+    [-0.1, from],
+    [0.1, from],
+    [0.1, to],
+    [-0.1, to],
+  ];
+  const problem = {
+    format: "taut-scene/1",
+    joints: { x: [-3, 3], y: [-2, 2], turn: [-30, 30] },
+    bodies: [
+      {
+        name: "table",
+        polygon: [
+          [-1, -0.6],
+          [1, -0.6],
+          [1, 0.6],
+          [-1, 0.6],
+        ],
+        motion: { free: { x: "x", y: "y", deg: "turn" } },
+      },
+      { name: "wall", parts: [wall(0.6, 4), wall(-4, -0.6)] },
+    ],
+    start: { x: -2, y: 0, turn: 10 },
+    goal: { x: 2 },
+  };
+  const page = await open();
+  const buffer = Buffer.from(JSON.stringify(problem));
+  await page.setInputFiles("#file", { name: "tight.json", mimeType: "application/json", buffer });
+  await page.waitForFunction(() => document.querySelector("#headline").textContent === "Undecided");
+  assert.match(await words(page), /table and wall have too little room where x = -?[\d.]+, y = /);
+  const [x] = await page.evaluate(() => window.playground.ways.tight);
+  assert.ok(Math.abs(x) < 1.2, "in the door");
+  await settled(page);
+  await screenshot(page, "way-tight");
+  assert.deepEqual(page.problems, []);
+  await page.close();
+});
