@@ -653,6 +653,7 @@ expect 2 '' 'the scene has 3 joints, and a picture' envelope --tolerance 0.3 --s
 expect 3 'time limit' '' envelope --max-seconds 0 "$examples/linkages/lift.json"
 expect 2 '' 'tolerance: it is not between' envelope --tolerance 0 "$examples/linkages/lift.json"
 expect 2 '' 'joints instead of a time' check "$examples/linkages/lift.json"
+expect 2 '' 'piano.json:3:13: joints: the scene has joints instead of a time' check "$examples/paths/piano.json"
 expect 2 '' '"joints"' envelope hit.json
 echo '{"format":"taut-scene/1","joints":{"x":[0,2]},"bodies":[{"name":"a","polygon":[[0,0],[1,0],[0,1]],"motion":{"slide":{"direction":[1,0],"by":"y"}}}]}' > joints.json
 expect 2 '' 'there is no joint "y"' envelope joints.json

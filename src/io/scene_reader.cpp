@@ -48,21 +48,29 @@ class SceneReader {
         "`taut import` makes scenes of drawings and maps; a body's polygon may be {\"geojson\": file}");
   }
 
-  void refuse_joints() const {
-    if (document_.at(0).kind() != JsonKind::object) return;
-    const bool joints = io::has_member(document_, 0, "joints");
-    if (!joints && (io::has_member(document_, 0, "time") || !io::has_member(document_, 0, "mechanism"))) return;
-    throw document_.error(0, "", joints ? "the scene has joints instead of a time" : "the scene has no time",
-                          "ask taut envelope or taut path about joints with ranges, or give it a \"time\" and motions");
+  /// Joints or drives with ranges instead of a time: then what belongs to these is not what is wrong.
+  bool has_ranges() const {
+    if (document_.at(0).kind() != JsonKind::object) return false;
+    const auto has = [this](const char* name) { return io::has_member(document_, 0, name); };
+    return has("joints") || (has("mechanism") && !has("time"));
+  }
+  std::vector<std::string> known_keys() const {
+    // "$schema" is for editors.
+    std::vector<std::string> keys{"format", "time",   "bodies",    "ignore", "at_rest",
+                                  "id",     "joints", "mechanism", "$schema"};
+    if (has_ranges()) keys.insert(keys.end(), {"periodic", "start", "goal"});
+    return keys;
   }
 
   Scene read() const {
     refuse_geojson();
-    refuse_joints();
-    // "$schema" is for editors.
-    const JsonObject root(document_, 0, "",
-                          {"format", "time", "bodies", "ignore", "at_rest", "id", "joints", "mechanism", "$schema"},
-                          scene_shape);
+    const JsonObject root(document_, 0, "", known_keys(), scene_shape);
+    if (has_ranges()) {
+      const auto joints = root.find("joints");
+      throw document_.error(joints ? *joints : root.get("mechanism"), joints ? "joints" : "mechanism",
+                            joints ? "the scene has joints instead of a time" : "the scene has no time",
+                            "ask taut envelope or taut path about it, or give it a \"time\" and motions");
+    }
     Scene scene;
     read_format(root.get("format"));
     read_time(root.get("time"), scene);
