@@ -2,12 +2,12 @@
 import { Changes, type Base } from "./changes";
 import { Editor } from "./editing";
 import { EditPanel, modeOfKey } from "./editpanel";
-import type { Decisions, Part, Pose, Scene } from "./engine";
+import type { Part, Pose, Scene } from "./engine";
 import { FaultMessage, culprits } from "./faultmessage";
+import { FileReading } from "./filereading";
 import type { Mode } from "./handles";
 import { History } from "./history";
 import { besideOthers, withOutline } from "./importing";
-import { ImportReport } from "./importreport";
 import { keyframesOf, motionOf, piecesOf, sampled, withKeyframe, type Keyframe } from "./motions";
 import { acceptDrops, headerTools, pageExamples, type Example, type OpenHost } from "./openandsave";
 import type { Player } from "./player";
@@ -22,7 +22,6 @@ import { WorldEditing } from "./worldediting";
 import { roundText } from "./words";
 
 const firstExample = "lid";
-const undecided: Decisions = { open: "error", crossing: "error" };
 
 /** What is opened first, unless the address has a scene. */
 export interface Begin extends Shared {
@@ -43,9 +42,7 @@ export class Playground {
   private readonly ways: Ways;
   /** A scene is being opened that belongs to the way that is asked about. */
   private showsWay = false;
-  private readonly report = new ImportReport((decided) => this.readAgain(decided));
-  /** The drawing that was read last. */
-  private drawing = { text: "", name: "", decided: undecided };
+  private readonly files: FileReading;
   private first: Begin | null = null;
   /** The last scene that could be opened, for plan changes and undoing. */
   private valid!: Scene;
@@ -74,6 +71,14 @@ export class Playground {
     this.worldEditing = new WorldEditing(player, this.editor, this.workbench, {
       change: (scene, note, body) => this.change(scene, note, body),
       say: (note) => (this.panel.note = note),
+    });
+    this.files = new FileReading(player.engine, {
+      load: (scene, title) => this.load(scene, title),
+      openProblem: (text, name, title) => this.openProblem(text, name, title),
+      adoptOutline: (parts, title, body) => this.adoptOutline(parts, title, body),
+      refuse: (error, what) => this.refuse(error, what),
+      body: () => this.editor.body,
+      count: () => this.editor.scene.bodies.length,
     });
     this.ways = new Ways(this.workbench, {
       closed: () => this.panel.touch === "closed",
@@ -139,7 +144,7 @@ export class Playground {
     stage.onDoubleClick = (x, y) => this.editor.addVertex(x, y);
     const host: OpenHost = {
       open: (example) => this.loadExample(example),
-      read: (files) => this.readFiles(files),
+      read: (files) => this.files.read(files),
       share: () => this.share(),
     };
     const menu = new SaveMenu(this.workbench, {
@@ -149,7 +154,7 @@ export class Playground {
     });
     const { undoButton, redoButton } = this.history;
     tools.append(...headerTools(this.examples, host), menu.element, undoButton, redoButton);
-    side.insertBefore(this.report.element, side.children[1]);
+    side.insertBefore(this.files.report.element, side.children[1]);
     side.insertBefore(this.panel.element, side.children[2]);
     side.insertBefore(this.ways.panel.element, side.children[3]);
     this.workbench.bodiesPart.append(this.worldEditing.panel.element);
@@ -344,53 +349,7 @@ export class Playground {
     }
   }
 
-  /** A scene replaces all; an outline replaces the chosen body's polygon, several outlines those of the first bodies. */
-  private async readFiles(files: File[]): Promise<void> {
-    let body = files.length > 1 ? 0 : this.editor.body;
-    for (const file of files) {
-      try {
-        if (this.readFile(file.name, await file.text(), body % this.editor.scene.bodies.length)) ++body;
-      } catch (error) {
-        return this.refuse(error, notOpened(file.name));
-      }
-    }
-  }
-
-  /** True if it was an outline, of body `body` from now on. */
-  private readFile(name: string, text: string, body: number): boolean {
-    const { engine } = this.player;
-    const title = name.replace(/\.[^.]*$/, "");
-    if (/\.(svg|dxf|kicad_pcb)$/i.test(name)) {
-      this.openDrawing({ text, name }, undecided);
-    } else if (isProblem(text)) {
-      this.openProblem(text, name, title);
-    } else if (/"taut-scene\//.test(text)) {
-      this.load(engine.readScene(text, name), title);
-    } else {
-      this.adoptOutline(engine.readOutline(text, name), title, body);
-      return true;
-    }
-    return false;
-  }
-
-  /** The drawing becomes the scene, unless it can be read in two ways: the report says so, and asks. */
-  private openDrawing(source: { text: string; name: string }, decided: Decisions): void {
-    const { text, name } = source;
-    const drawing = this.player.engine.readDrawing(text, name, decided);
-    if (drawing.scene) this.load(drawing.scene, name.replace(/\.[^.]*$/, ""));
-    this.drawing = { ...source, decided };
-    this.report.show(name, drawing);
-  }
-
-  /** The last drawing once more, with an answer to what the report asks, and those that were given before. */
-  private readAgain(more: Partial<Decisions>): void {
-    try {
-      this.openDrawing(this.drawing, { ...this.drawing.decided, ...more });
-    } catch (error) {
-      this.refuse(error, notOpened(this.drawing.name));
-    }
-  }
-
+  /** Outlines from two places may lie on one another: then the new one is put beside the others. */
   private adoptOutline(parts: Part[], name: string, index: number): void {
     const scene = withOutline(this.editor.scene, index, parts, name);
     this.load(scene, null);
@@ -436,5 +395,3 @@ export class Playground {
     };
   }
 }
-
-const notOpened = (name: string): string => `${name} was not opened. The scene shown is the one from before.`;

@@ -1,5 +1,5 @@
 // The page around the picture: answer, event, counts, list of events, time.
-import { h, iconButton, setIcon, swatch } from "./dom";
+import { h, iconButton, swatch } from "./dom";
 import { Aftermath } from "./aftermath";
 import { Background } from "./background";
 import { BodyTree } from "./bodytree";
@@ -13,11 +13,12 @@ import { CountPlot } from "./plot";
 import type { Player } from "./player";
 import { Stage } from "./stage";
 import { EventStrip } from "./strip";
+import { Transport } from "./transport";
 import { Lanes } from "./lanes";
 import { QuestionPanel } from "./questionpanel";
 import { Questions } from "./questions";
 import { isDark } from "./theme";
-import { clockText, explanation, headline, aboutTilings, roundText, turnedText } from "./words";
+import { clockText, explanation, headline, aboutTilings, turnedText } from "./words";
 
 /** What is said in place of the scene's answer. */
 export interface Verdict {
@@ -32,7 +33,6 @@ export class Workbench {
   /** Where the playground puts its own controls. */
   readonly side: HTMLElement;
   readonly headerTools = h("div", { class: "tools" });
-  readonly transport: HTMLElement;
   title: string | null = null;
   /** The scene that is being edited is not valid: what is known belongs to an older one. */
   invalid = false;
@@ -50,20 +50,11 @@ export class Workbench {
   private readonly answerText = h("div", { class: "answer", id: "answer" });
   private readonly eventText = new EventText();
   private readonly counts = h("div", { class: "counts", id: "counts" });
-  private readonly playButton: HTMLButtonElement;
-  private readonly slider = h("input", {
-    type: "range",
-    id: "time",
-    min: 0,
-    max: 1,
-    step: "any",
-    "aria-label": "Time",
-  });
   private readonly strip: EventStrip;
+  private readonly transport: Transport;
   readonly questions: Questions;
   private readonly lanes: Lanes;
   private readonly questionPanel: QuestionPanel;
-  private readonly clock = h("output", { class: "clock", id: "clock", for: "time" });
   private readonly proofSwitch = h(
     "button",
     {
@@ -108,8 +99,6 @@ export class Workbench {
       "aria-label": "Active certificates and events over time",
     });
     this.plot = new CountPlot(plotCanvas, player, (t) => player.seek(t));
-    this.playButton = iconButton("play", "Play", () => player.play(!player.playing), "Space");
-    this.playButton.id = "play";
     this.help = helpDialog(moreKeys);
     this.legend = new Legend(this.stage.layers, () => this.redraw());
     this.tree = new BodyTree({ hidden: this.stage.hidden, changed: () => this.redraw() });
@@ -129,7 +118,7 @@ export class Workbench {
     );
     for (const part of this.proofParts) part.open = false;
     this.side.append(...this.proofParts);
-    this.transport = this.transportBar();
+    this.transport = new Transport(player, this.lanes.element, this.strip.canvas);
     this.element = h(
       "div",
       { class: "app" },
@@ -144,7 +133,7 @@ export class Workbench {
       ),
       this.stage.element,
       this.side,
-      this.transport,
+      this.transport.element,
       this.help,
     );
     player.onChange = () => this.redraw();
@@ -237,7 +226,7 @@ export class Workbench {
     stage.region = this.questionPanel.region();
     stage.draw();
     this.lanes.draw(stage.colours());
-    this.showTime();
+    this.transport.show();
     this.plot.draw(stage.colours());
     // Words need not change faster than they can be read.
     const now = performance.now();
@@ -326,59 +315,6 @@ export class Workbench {
         h("b", { id: "events-count" }, String(player.replay.applied)),
         ` of ${player.replay.count}`,
       ),
-    );
-  }
-
-  private showTime(): void {
-    const { player, slider } = this;
-    slider.value = String((player.t - player.start) / (player.end - player.start || 1));
-    const text = player.atContact || player.selected >= 0 ? roundText(player.t, 16) : clockText(player.t, player.scene);
-    this.clock.textContent = `t = ${text}`;
-    this.clock.dataset.t = String(player.t);
-    this.clock.title = `t = ${text}`;
-    slider.setAttribute("aria-valuetext", `t = ${text}`);
-    setIcon(this.playButton, player.playing ? "pause" : "play", player.playing ? "Pause" : "Play", "Space");
-  }
-
-  private transportBar(): HTMLElement {
-    const { player } = this;
-    const speeds = [0.05, 0.1, 0.25, 0.5, 1, 2, 4, 10];
-    const speed = h(
-      "select",
-      { id: "speed", "aria-label": "Speed", title: "Speed", onchange: () => (player.speed = Number(speed.value)) },
-      ...speeds.map((s) => h("option", { value: s, selected: s === 1 }, `${s} ×`)),
-    );
-    this.slider.addEventListener("input", () => {
-      player.playing = false;
-      // The slider counts shares of the time, because it rounds: its right end is the very last instant.
-      const share = Number(this.slider.value);
-      player.seek(share >= 1 ? player.end : player.start + share * (player.end - player.start));
-    });
-    const button = (
-      name: "first" | "previous" | "next" | "last",
-      label: string,
-      action: () => void,
-      key: string,
-    ): HTMLButtonElement => {
-      const b = iconButton(name, label, action, key);
-      b.id = name;
-      return b;
-    };
-    return h(
-      "footer",
-      { class: "transport" },
-      h(
-        "div",
-        { class: "buttons", role: "group", "aria-label": "Time" },
-        button("first", "Start", () => player.show(-1), "Home"),
-        button("previous", "Previous event", () => player.stepEvent(-1), "←"),
-        this.playButton,
-        button("next", "Next event", () => player.stepEvent(1), "→"),
-        button("last", "Contact, lock or end", () => player.toTheEnd(), "End"),
-      ),
-      h("div", { class: "scrub" }, this.lanes.element, this.strip.canvas, this.slider),
-      this.clock,
-      speed,
     );
   }
 
