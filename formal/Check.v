@@ -1,7 +1,7 @@
 (** The checker: a function from a scene and a log to a verdict. Soundness.v proves what [true] means. *)
 
 From Coq Require Import ZArith List Bool PeanoNat.
-From Taut Require Import Definitions Numbers Models Functions Placement.
+From Taut Require Import Definitions Numbers Models Functions Placement Outlines Whole Lines.
 Import ListNotations.
 
 (** * Logs *)
@@ -20,7 +20,6 @@ Record log := Log { proved_until : number; pairs : list ((nat * nat) * list wind
 
 (** * Separations *)
 
-Definition vertex := (number * number)%type.
 Definition positive (r : number) (M : model) : bool := below (slack M) (lower r (poly_of M)).
 
 (** Along a direction, from a level on: a vertex (x, y) is at [base] + x [per_x] + y [per_y]. *)
@@ -29,60 +28,31 @@ Definition project (r : number) (n : number * number) (level : poly) (P : placem
   Projection (msub (madd (mscale (fst n) (ox P)) (mscale (snd n) (oy P))) (Model level zero))
              (madd (mscale (fst n) (co P)) (mscale (snd n) (si P)))
              (msub (mscale (snd n) (co P)) (mscale (fst n) (si P))).
-Definition opposite (J : projection) : projection := Projection (mneg (base J)) (mneg (per_x J)) (mneg (per_y J)).
 Definition along_direction (J : projection) (v : vertex) : model :=
   madd (base J) (madd (mscale (fst v) (per_x J)) (mscale (snd v) (per_y J))).
-
-(** First a rough test, in short numbers: of vertices on a grid of 2^g. *)
-Definition rough_projection (g : Z) (r : number) (J : projection) : projection :=
-  let x := rough r (per_x J) in let y := rough r (per_y J) in
-  let b := rough r (base J) in
-  Projection (Model (poly_of b) (round_up (add (slack b) (mul (Number 1 g) (add (bound r x) (bound r y)))))) x y.
-Definition rough_along (J : projection) (v : vertex) : model :=
-  Model (padd (poly_of (base J)) (padd (pscale (fst v) (poly_of (per_x J))) (pscale (snd v) (poly_of (per_y J)))))
-        (add (slack (base J)) (add (mul (size (fst v)) (slack (per_x J))) (mul (size (snd v)) (slack (per_y J))))).
-
-(** A vertex, and the same on the grid. *)
-Definition corner := (vertex * vertex)%type.
-Definition corner_of (g : Z) (v : vertex) : corner := (v, (on_grid g (fst v), on_grid g (snd v))).
-Definition edge_corners (g : Z) (e : vertex * vertex) : corner * corner := (corner_of g (fst e), corner_of g (snd e)).
-
-Definition beyond (g : Z) (r : number) (J : projection) : corner -> bool :=
-  let K := rough_projection g r J in
-  fun c => positive r (rough_along K (snd c)) || positive r (along_direction J (fst c)).
-
-Definition same_number (a b : number) : bool := Z.eqb (mantissa a) (mantissa b) && Z.eqb (exponent a) (exponent b).
-Definition same_vertex (u v : vertex) : bool := same_number (fst u) (fst v) && same_number (snd u) (snd v).
-Definition same_corner (c d : corner) : bool := same_vertex (fst c) (fst d) && same_vertex (snd c) (snd d).
-(** All ends of edges; mostly an edge ends where the next one begins. *)
-Fixpoint ends (test : corner -> bool) (l : list (corner * corner)) : bool :=
-  match l with
-  | [] => true
-  | e :: rest =>
-      test (fst e) && ends test rest &&
-      match rest with
-      | f :: _ => same_corner (snd e) (fst f) || test (snd e)
-      | [] => test (snd e)
-      end
+Fixpoint exactly_beyond (r : number) (J : projection) (t : tree) : bool :=
+  match t with
+  | Empty => true
+  | Leaf e _ _ _ => positive r (along_direction J (fst e)) && positive r (along_direction J (snd e))
+  | Node _ t1 t2 => exactly_beyond r J t1 && exactly_beyond r J t2
   end.
 
-Definition halves {A} (l : list A) : list A * list A :=
-  let n := Nat.div2 (length l) in (firstn n l, skipn n l).
-
 (** The edges of a body, on a grid of 2^[grid]. *)
-Record outline := Outline { grid : Z; corners : list (corner * corner) }.
+Record outline := Outline { grid : Z; tree_in : tree }.
 
-Fixpoint separated (r : number) (P Q : placement) (E F : outline) (s : separation) : bool :=
-  match s with
-  | Line n level =>
-      ends (beyond (grid E) r (opposite (project r n level P))) (corners E) &&
-      ends (beyond (grid F) r (project r n level Q)) (corners F)
-  | FirstHalves s1 s2 =>
-      let (E1, E2) := halves (corners E) in
-      separated r P Q (Outline (grid E) E1) F s1 && separated r P Q (Outline (grid E) E2) F s2
-  | SecondHalves s1 s2 =>
-      let (F1, F2) := halves (corners F) in
-      separated r P Q E (Outline (grid F) F1) s1 && separated r P Q E (Outline (grid F) F2) s2
+(** Where a body is in a window. *)
+Record side := Side { grid_of : Z; place_in : placement; whole_in : whole_placement }.
+Definition side_of (g : Z) (s : number) (P : placement) : side := Side g P (whole_of g s P).
+
+(** Whether edges are beyond a level for |h| <= r: first in whole numbers, in terms of h / s, where r <= s. *)
+Definition beyond (r s : number) (n : number * number) (level : poly) (S : side) (t : tree) : bool :=
+  tree_beyond (whole_line_of (grid_of S) s n level (whole_in S) (box_of t)) t || exactly_beyond r (project r n level (place_in S)) t.
+
+Fixpoint separated (r s : number) (A B : side) (E F : tree) (how : separation) : bool :=
+  match how with
+  | Line n level => beyond r s (neg (fst n), neg (snd n)) (pneg level) A E && beyond r s n level B F
+  | FirstHalves s1 s2 => let (E1, E2) := halves E in separated r s A B E1 F s1 && separated r s A B E2 F s2
+  | SecondHalves s1 s2 => let (F1, F2) := halves F in separated r s A B E F1 s1 && separated r s A B E F2 s2
   end.
 
 (** * A point of each ring outside of the other body, in the middle of the window *)
@@ -151,8 +121,8 @@ Definition edges_of (b : body) : list (vertex * vertex) := flat_map all_edges_of
 Definition outline_of (b : body) : outline :=
   let e := edges_of b in
   let top := fold_right (fun (e : vertex * vertex) m => let (x, y) := fst e in Z.max (magnitude x) (Z.max (magnitude y) m)) (-1000)%Z e in
-  let g := (top - rough_bits)%Z in
-  Outline g (map (edge_corners g) e).
+  let g := (top - vertex_bits)%Z in
+  Outline g (tree_of (length e) g e).
 
 (** Whether all rings are outside of the other body in the middle of a window. *)
 Definition outside_in_the_middle (ca cb : list motion) (a b : body) (w : window) (middle : number) : bool :=
@@ -165,10 +135,11 @@ Definition outside_in_the_middle (ca cb : list motion) (a b : body) (w : window)
 Definition check_window (ca cb : list motion) (a b : body) (ea eb : outline) (w : window) : option bool :=
   let middle := half (add (opens w) (closes w)) in
   let r := half (sub (closes w) (opens w)) in
+  let s := round_up r in
   if at_most zero r then
     match chain_model (opens w) (closes w) middle r ca, chain_model (opens w) (closes w) middle r cb with
     | Some (P, closed), Some (Q, closed') =>
-        if separated r P Q ea eb (how w) && (is_line (how w) || outside_in_the_middle ca cb a b w middle)
+        if separated r s (side_of (grid ea) s P) (side_of (grid eb) s Q) (tree_in ea) (tree_in eb) (how w) && (is_line (how w) || outside_in_the_middle ca cb a b w middle)
         then Some (closed && closed') else None
     | _, _ => None
     end

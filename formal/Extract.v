@@ -2,7 +2,7 @@
     own integers for lengths of lists, have to be trusted. *)
 
 From Coq Require Import ZArith List Extraction ExtrOcamlBasic ExtrOcamlNatInt.
-From Taut Require Import Definitions Numbers Models Functions Placement Check.
+From Taut Require Import Definitions Numbers Models Functions Placement Outlines Whole Lines Check.
 
 Extract Inductive BinNums.positive => "Integer.t"
   [ "Integer.double_plus_one" "Integer.double" "Integer.one" ]

@@ -110,7 +110,6 @@ Fixpoint trim (bits : Z) (k : nat) (r : number) (p : poly) : poly * number :=
   end.
 Definition most_terms := 8%nat.
 Definition negligible := 60%Z.
-Definition rough_negligible := 32%Z.
 Definition magnitude (a : number) : Z := (Z.log2 (Z.abs (mantissa a)) + exponent a)%Z.
 (** The largest magnitude of a term, where those of powers of h have [step] added for each. *)
 Fixpoint largest (step shift best : Z) (p : poly) : Z :=
@@ -138,8 +137,6 @@ Definition useful (negligible : Z) (r : number) (p : poly) : nat :=
 Definition shorter (bits negligible : Z) (r : number) (M : model) : model :=
   let (p, e) := trim bits (useful negligible r (poly_of M)) r (poly_of M) in Model p (round_up (add (slack M) e)).
 Definition tidy (r : number) (M : model) : model := shorter kept_bits negligible r M.
-(** In numbers that a processor can multiply. *)
-Definition rough (r : number) (M : model) : model := shorter rough_bits rough_negligible r M.
 
 Definition constant (a : number) : model := Model [a] zero.
 Definition variable : model := Model [zero; one] zero.

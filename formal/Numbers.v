@@ -24,7 +24,7 @@ Definition at_most (a b : number) : bool := Z.leb 0 (mantissa (sub b a)).
 (* By names, so that the program has them ready. *)
 Definition kept_bits := 96%Z.
 Definition slack_bits := 30%Z.
-Definition rough_bits := 28%Z.
+Definition vertex_bits := 26%Z.
 
 (** At most so many bits of a number, and how much is left out at most. *)
 Definition cut (bits : Z) (a : number) : number * number :=
@@ -32,9 +32,6 @@ Definition cut (bits : Z) (a : number) : number * number :=
   if Z.leb n bits then (a, zero)
   else let k := (n - bits)%Z in
        (Number (Z.shiftr (mantissa a) k) (exponent a + k), Number 1 (exponent a + k)).
-(** Rounded down to a multiple of 2^g. *)
-Definition on_grid (g : Z) (a : number) : number :=
-  if Z.leb g (exponent a) then a else Number (Z.shiftr (mantissa a) (g - exponent a)) g.
 (** Not less, in few bits. *)
 Definition round_up (a : number) : number :=
   let n := Z.log2 (Z.abs (mantissa a)) in
@@ -114,15 +111,6 @@ Proof.
     apply Rabs_le. split; nra.
 Qed.
 
-Lemma on_grid_correct g a : Rabs (value a - value (on_grid g a)) <= value (Number 1 g).
-Proof.
-  unfold on_grid. destruct (Z.leb_spec g (exponent a)) as [_|H].
-  - rewrite Rminus_diag_eq, Rabs_R0 by reflexivity. apply value_sign_nonneg. simpl. lia.
-  - set (k := (g - exponent a)%Z). destruct (shiftr_bounds (mantissa a) k) as [L U]; [unfold k; lia|].
-    unfold value; simpl mantissa; simpl exponent. replace g with (exponent a + k)%Z by (unfold k; lia). rewrite two_add.
-    pose proof (two_pos (exponent a)). pose proof (two_pos k). apply Rabs_le. split; nra.
-Qed.
-
 Lemma round_up_correct a : value a <= value (round_up a).
 Proof.
   unfold round_up. destruct (Z.leb_spec (Z.log2 (Z.abs (mantissa a))) slack_bits) as [_|H]; [lra|].
@@ -130,5 +118,5 @@ Proof.
   unfold value; simpl mantissa; simpl exponent. rewrite two_add, plus_IZR. pose proof (two_pos (exponent a)). nra.
 Qed.
 
-Global Opaque add neg sub mul size half below at_most cut on_grid round_up.
+Global Opaque add neg sub mul size half below at_most cut round_up.
 Global Opaque value.

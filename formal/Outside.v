@@ -1,7 +1,7 @@
 (** What is outside of a part in the middle of a window, by crossings that are certain. *)
 
 From Coq Require Import Reals ZArith List Bool PeanoNat Lra Lia Psatz.
-From Taut Require Import Definitions Geometry Disjoint Numbers Models Functions Placement Check Separations.
+From Taut Require Import Definitions Geometry Disjoint Numbers Models Functions Placement Outlines Check Separations.
 Import ListNotations.
 Open Scope R_scope.
 

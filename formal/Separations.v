@@ -1,7 +1,7 @@
 (** What the steps of a window say: each two edges keep on different sides of a line. *)
 
 From Coq Require Import Reals ZArith List Bool PeanoNat Lra Lia Psatz.
-From Taut Require Import Definitions Geometry Disjoint Numbers Models Functions Placement Check.
+From Taut Require Import Definitions Geometry Disjoint Numbers Models Functions Placement Outlines Whole Lines Check.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -12,7 +12,7 @@ Proof.
 Qed.
 
 Section Window.
-  Variable r : number.
+  Variables r s : number.
   Hypothesis R0 : 0 <= value r.
   Variables F G : R -> frame.
   Variables P Q : placement.
@@ -31,46 +31,6 @@ Section Window.
     apply (near_madd r B (fun h => _)); auto. apply (near_madd r (fun h => _) (fun h => _)); apply near_mscale; auto.
   Qed.
 
-  Lemma near_rough_along B X Y J v w g : near_projection B X Y J ->
-    Rabs (value (fst v) - value (fst w)) <= value (Number 1 g) -> Rabs (value (snd v) - value (snd w)) <= value (Number 1 g) ->
-    near r (vertex_along B X Y v) (rough_along (rough_projection g r J) w).
-  Proof.
-    intros (NB & NX & NY) Hx Hy h Hh. unfold rough_along, rough_projection. cbn [base per_x per_y poly_of slack].
-    apply (near_shorter r rough_bits rough_negligible) in NB, NX, NY. fold (rough r (base J)) in NB.
-    fold (rough r (per_x J)) in NX. fold (rough r (per_y J)) in NY.
-    pose proof (bound_correct r X _ h NX Hh) as BX. pose proof (bound_correct r Y _ h NY Hh) as BY.
-    specialize (NB h Hh). specialize (NX h Hh). specialize (NY h Hh).
-    set (b := rough r (base J)) in *. set (x := rough r (per_x J)) in *. set (y := rough r (per_y J)) in *.
-    rewrite !eval_padd, !eval_pscale, !value_add, !value_mul, !value_size.
-    pose proof (round_up_correct (add (slack b) (mul (Number 1 g) (add (bound r x) (bound r y))))) as U.
-    rewrite value_add, value_mul, value_add in U.
-    set (grid_ := value (Number 1 g)) in *. set (S := value (round_up _)) in *.
-    unfold vertex_along.
-    replace (B h + (value (fst v) * X h + value (snd v) * Y h) -
-             (eval (poly_of b) h + (value (fst w) * eval (poly_of x) h + value (snd w) * eval (poly_of y) h)))
-      with (B h - eval (poly_of b) h +
-            ((value (fst v) - value (fst w)) * X h + value (fst w) * (X h - eval (poly_of x) h) +
-             ((value (snd v) - value (snd w)) * Y h + value (snd w) * (Y h - eval (poly_of y) h)))) by ring.
-    assert (TX : Rabs ((value (fst v) - value (fst w)) * X h + value (fst w) * (X h - eval (poly_of x) h)) <=
-                 grid_ * value (bound r x) + Rabs (value (fst w)) * value (slack x)).
-    { eapply Rle_trans; [apply Rabs_triang|]. rewrite !Rabs_mult.
-      apply Rplus_le_compat; apply Rmult_le_compat; auto using Rabs_pos; lra. }
-    assert (TY : Rabs ((value (snd v) - value (snd w)) * Y h + value (snd w) * (Y h - eval (poly_of y) h)) <=
-                 grid_ * value (bound r y) + Rabs (value (snd w)) * value (slack y)).
-    { eapply Rle_trans; [apply Rabs_triang|]. rewrite !Rabs_mult.
-      apply Rplus_le_compat; apply Rmult_le_compat; auto using Rabs_pos; lra. }
-    eapply Rle_trans; [apply Rabs_triang|].
-    eapply Rle_trans; [apply Rplus_le_compat_l, Rabs_triang|]. lra.
-  Qed.
-
-  Lemma beyond_correct B X Y J g v : near_projection B X Y J -> beyond g r J (corner_of g v) = true ->
-    forall h, Rabs h <= value r -> 0 < vertex_along B X Y v h.
-  Proof.
-    intros N H h Hh. unfold beyond in H. apply orb_prop in H. destruct H as [H|H].
-    - eapply positive_correct in H; eauto. apply near_rough_along; auto; apply on_grid_correct.
-    - eapply positive_correct in H; eauto. apply near_along; auto.
-  Qed.
-
   Definition rest (H : R -> frame) (n : number * number) (level : poly) (h : R) : R :=
     value (fst n) * fst (at_ (H h)) + value (snd n) * snd (at_ (H h)) - eval level h.
   Definition along_x (H : R -> frame) (n : number * number) (h : R) : R :=
@@ -87,74 +47,75 @@ Section Window.
     - apply (near_madd r (fun h => _) (fun h => _)); apply near_mscale; auto.
     - apply (near_msub r (fun h => _) (fun h => _)); apply near_mscale; auto.
   Qed.
-  Lemma near_opposite B X Y J : near_projection B X Y J ->
-    near_projection (fun h => - B h) (fun h => - X h) (fun h => - Y h) (opposite J).
-  Proof. intros (NB & NX & NY). repeat split; apply near_mneg; auto. Qed.
-
   Lemma vertex_along_place n level H v h :
     vertex_along (rest H n level) (along_x H n) (along_y H n) v h = dot (values n) (place H h v) - eval level h.
   Proof. unfold vertex_along, rest, along_x, along_y, dot, place, apply, plus, turned, values; simpl. ring. Qed.
-  Lemma vertex_along_opposite B X Y v h :
-    vertex_along (fun h => - B h) (fun h => - X h) (fun h => - Y h) v h = - vertex_along B X Y v h.
-  Proof. unfold vertex_along. ring. Qed.
+
+  (** Both ends of an edge. *)
+  Definition edge_beyond (H : R -> frame) (n : number * number) (level : poly) (h : R) (e : edge) : Prop :=
+    eval level h < dot (values n) (place H h (fst e)) /\
+    eval level h < dot (values n) (place H h (snd e)).
+
+  Lemma exactly_beyond_correct n level H J t : near_frame r H J -> exactly_beyond r (project r n level J) t = true ->
+    forall h, Rabs h <= value r -> forall e, in_tree e t -> edge_beyond H n level h e.
+  Proof.
+    intros N B h Hh. pose proof (near_project n level H J N) as NJ.
+    assert (V : forall v, positive r (along_direction (project r n level J) v) = true -> eval level h < dot (values n) (place H h v)).
+    { intros v T. pose proof (positive_correct r _ _ h R0 (near_along _ _ _ _ v NJ) T Hh) as A. rewrite vertex_along_place in A. lra. }
+    induction t as [|e b c d|b t1 IH1 t2 IH2]; intros e' I; cbn [in_tree exactly_beyond] in *; [destruct I| |]; apply andb_prop in B.
+    - subst. split; apply V; tauto.
+    - destruct B, I; auto.
+  Qed.
+
+  Lemma same_instant_of h : Rabs h <= value r -> value r <= value s -> exists u, same_instant (value s) h u.
+  Proof.
+    intros H S. pose proof (Rabs_within _ _ H). destruct (Req_dec (value s) 0) as [Z|Z].
+    - exists 0. split; [rewrite Rabs_R0; lra|lra].
+    - exists (h / value s). split; [|field; auto]. unfold Rdiv. rewrite Rabs_mult, Rabs_inv, (Rabs_right (value s)) by lra.
+      apply (Rmult_le_reg_r (value s)); [lra|]. rewrite Rmult_assoc, Rinv_l by auto. lra.
+  Qed.
+
+  Lemma beyond_correct g n level H J t : value r <= value s -> near_frame r H J -> right_tree g t ->
+    beyond r s n level (side_of g s J) t = true -> forall h, Rabs h <= value r -> forall e, in_tree e t -> edge_beyond H n level h e.
+  Proof.
+    intros S N T B h Hh e I. unfold beyond, side_of in B. cbn [grid_of place_in whole_in] in B. apply orb_prop in B.
+    destruct B as [B|B]; [|eapply exactly_beyond_correct; eauto].
+    destruct (same_instant_of h Hh S) as (u & U). destruct N as (NX & NY & NC & NS).
+    pose proof (tree_beyond_correct g r s n level (box_of t) J _ _ _ _ NX NY NC NS t T (fun e' => right_ends g t e' T) B h u Hh U e I) as [A1 A2].
+    unfold from_level in A1, A2. unfold edge_beyond, place, apply, plus, turned, values, dot; cbn [fst snd]. lra.
+  Qed.
+
+  Variables (gE gF : Z).
+  Hypothesis S0 : value r <= value s.
+
+  Lemma line_correct n level E E' : right_tree gE E -> right_tree gF E' ->
+    separated r s (side_of gE s P) (side_of gF s Q) E E' (Line n level) = true -> forall h, Rabs h <= value r ->
+    (forall e, in_tree e E -> dot (values n) (place F h (fst e)) < eval level h /\ dot (values n) (place F h (snd e)) < eval level h) /\
+    (forall e, in_tree e E' -> eval level h < dot (values n) (place G h (fst e)) /\ eval level h < dot (values n) (place G h (snd e))).
+  Proof.
+    cbn [separated]. intros TE TF H h Hh. apply andb_prop in H. destruct H as [H1 H2]. split; intros e I.
+    - destruct (beyond_correct _ _ _ F P E S0 NF TE H1 h Hh e I) as [A B].
+      rewrite eval_pneg in A, B. unfold dot, values in *; cbn [fst snd] in *. rewrite !value_neg in A, B. lra.
+    - exact (beyond_correct _ _ _ G Q E' S0 NG TF H2 h Hh e I).
+  Qed.
 
   Definition edge_place (H : R -> frame) (h : R) (e : vertex * vertex) : point * point := (place H h (fst e), place H h (snd e)).
-
-  Lemma same_vertex_correct u v : same_vertex u v = true -> u = v.
-  Proof.
-    destruct u as [[m e] [m' e']], v as [[n f] [n' f']]. unfold same_vertex, same_number; simpl.
-    rewrite !andb_true_iff, !Z.eqb_eq. intros [[-> ->] [-> ->]]. reflexivity.
-  Qed.
-  Lemma same_corner_correct c d : same_corner c d = true -> c = d.
-  Proof.
-    destruct c as [u u'], d as [v v']. unfold same_corner; simpl. rewrite andb_true_iff.
-    intros [A B]. apply same_vertex_correct in A, B. subst. reflexivity.
-  Qed.
-  Lemma ends_correct test l e : ends test l = true -> In e l -> test (fst e) = true /\ test (snd e) = true.
-  Proof.
-    induction l as [|e' l IH]; [intros _ []|]. cbn [ends]. rewrite !andb_true_iff. intros [[A B] C] [<-|I]; [|auto].
-    split; auto. destruct l as [|f l]; auto. apply orb_prop in C. destruct C as [C|C]; auto.
-    apply same_corner_correct in C. rewrite C. cbn [ends] in B. rewrite !andb_true_iff in B. tauto.
-  Qed.
-
-  Definition has_edge (E : outline) (e : vertex * vertex) : Prop := In (edge_corners (grid E) e) (corners E).
-
-  Lemma line_correct n level E E' : separated r P Q E E' (Line n level) = true -> forall h, Rabs h <= value r ->
-    (forall e, has_edge E e -> dot (values n) (place F h (fst e)) < eval level h /\ dot (values n) (place F h (snd e)) < eval level h) /\
-    (forall e, has_edge E' e -> eval level h < dot (values n) (place G h (fst e)) /\ eval level h < dot (values n) (place G h (snd e))).
-  Proof.
-    cbn [separated]. intros H h Hh. apply andb_prop in H. destruct H as [H1 H2].
-    pose proof (near_opposite _ _ _ _ (near_project n level F P NF)) as NP. pose proof (near_project n level G Q NG) as NQ.
-    split; intros e I.
-    - destruct (ends_correct _ _ _ H1 I) as [A B].
-      pose proof (beyond_correct _ _ _ _ _ _ NP A h Hh) as A'. pose proof (beyond_correct _ _ _ _ _ _ NP B h Hh) as B'.
-      rewrite vertex_along_opposite, vertex_along_place in A', B'. lra.
-    - destruct (ends_correct _ _ _ H2 I) as [A B].
-      pose proof (beyond_correct _ _ _ _ _ _ NQ A h Hh) as A'. pose proof (beyond_correct _ _ _ _ _ _ NQ B h Hh) as B'.
-      rewrite vertex_along_place in A', B'. lra.
-  Qed.
 
   (** One direction for two edges, throughout the window. *)
   Definition kept_apart (e f : vertex * vertex) : Prop := exists n, forall h, Rabs h <= value r ->
     dot n (place F h (fst e)) < dot n (place G h (fst f)) /\ dot n (place F h (fst e)) < dot n (place G h (snd f)) /\
     dot n (place F h (snd e)) < dot n (place G h (fst f)) /\ dot n (place F h (snd e)) < dot n (place G h (snd f)).
 
-  Lemma in_halves {A} (l : list A) x : In x l -> In x (fst (halves l)) \/ In x (snd (halves l)).
-  Proof. unfold halves; simpl. intros I. apply in_app_or. rewrite firstn_skipn. auto. Qed.
-
-  Lemma separated_correct s : forall E E', separated r P Q E E' s = true ->
-    forall e f, has_edge E e -> has_edge E' f -> kept_apart e f.
+  Lemma separated_correct how : forall E E', right_tree gE E -> right_tree gF E' ->
+    separated r s (side_of gE s P) (side_of gF s Q) E E' how = true ->
+    forall e f, in_tree e E -> in_tree f E' -> kept_apart e f.
   Proof.
-    induction s as [n level|s1 IH1 s2 IH2|s1 IH1 s2 IH2]; intros E E' H e f He Hf.
-    - exists (values n). intros h Hh. destruct (line_correct n level E E' H h Hh) as [A B].
+    induction how as [n level|s1 IH1 s2 IH2|s1 IH1 s2 IH2]; intros E E' TE TF H e f He Hf.
+    - exists (values n). intros h Hh. destruct (line_correct n level E E' TE TF H h Hh) as [A B].
       specialize (A e He). specialize (B f Hf). lra.
-    - cbn [separated] in H. unfold has_edge in He. destruct (in_halves _ _ He) as [I|I];
-        destruct (halves (corners E)) as [E1 E2]; apply andb_prop in H; destruct H as [H1 H2].
-      + apply (IH1 _ _ H1); auto.
-      + apply (IH2 _ _ H2); auto.
-    - cbn [separated] in H. unfold has_edge in Hf. destruct (in_halves _ _ Hf) as [I|I];
-        destruct (halves (corners E')) as [E1 E2]; apply andb_prop in H; destruct H as [H1 H2].
-      + apply (IH1 _ _ H1); auto.
-      + apply (IH2 _ _ H2); auto.
+    - cbn [separated] in H. destruct (halves_correct gE E TE) as (T1 & T2 & I). destruct (halves E) as [E1 E2].
+      apply andb_prop in H. destruct H as [H1 H2]. destruct (I e He); [apply (IH1 E1 E')|apply (IH2 E2 E')]; auto.
+    - cbn [separated] in H. destruct (halves_correct gF E' TF) as (T1 & T2 & I). destruct (halves E') as [F1 F2].
+      apply andb_prop in H. destruct H as [H1 H2]. destruct (I f Hf); [apply (IH1 E F1)|apply (IH2 E F2)]; auto.
   Qed.
 End Window.

@@ -1,7 +1,7 @@
 (** What the checker accepts is free. *)
 
 From Coq Require Import Reals ZArith List Bool PeanoNat Lra Lia Psatz.
-From Taut Require Import Definitions Geometry Disjoint Numbers Models Functions Placement Check Separations Outside.
+From Taut Require Import Definitions Geometry Disjoint Numbers Models Functions Placement Outlines Whole Lines Check Separations Outside.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -51,8 +51,10 @@ Proof. unfold placed_part. rewrite map_map. apply map_ext. intros rg. rewrite ma
 Definition covered (c : list motion) (b : body) (after : bool) (t : R) (z : point) : Prop :=
   exists p q, In p (shape b) /\ in_part q (map (map values) p) /\ z = placed after c t q.
 
-Lemma has_edge_of b p e : In p (shape b) -> In e (all_edges_of p) -> has_edge (outline_of b) e.
-Proof. intros Hp He. unfold has_edge, outline_of. cbn [grid corners]. apply in_map. eapply in_edges_of; eauto. Qed.
+Lemma right_outline b : right_tree (grid (outline_of b)) (tree_in (outline_of b)).
+Proof. unfold outline_of. cbn [grid tree_in]. apply tree_of_correct. Qed.
+Lemma in_outline b p e : In p (shape b) -> In e (all_edges_of p) -> in_tree e (tree_in (outline_of b)).
+Proof. intros Hp He. unfold outline_of. cbn [tree_in]. apply tree_of_correct. eapply in_edges_of; eauto. Qed.
 
 (** Two parts that a separation with halves keeps apart. *)
 Lemma parts_apart r F G h s t P0 Q0 p q : 0 <= value r -> Rabs h <= value r ->
@@ -76,7 +78,10 @@ Proof.
   destruct (at_most zero r) eqn:R0; [|discriminate]. apply at_most_correct in R0. rewrite value_zero in R0.
   destruct (chain_model _ _ mid r ca) as [[P c1]|] eqn:CA; [|discriminate].
   destruct (chain_model _ _ mid r cb) as [[Q c2]|] eqn:CB; [|discriminate].
-  destruct (separated r P Q (outline_of a) (outline_of b) (how w)) eqn:S; [|discriminate].
+  set (oa := outline_of a). set (ob := outline_of b).
+  destruct (separated r (round_up r) (side_of (grid oa) (round_up r) P) (side_of (grid ob) (round_up r) Q) (tree_in oa) (tree_in ob) (how w))
+    eqn:S; [|discriminate].
+  pose proof (round_up_correct r) as RU. pose proof (right_outline a) as Ta. pose proof (right_outline b) as Tb. fold oa in Ta. fold ob in Tb.
   destruct (is_line (how w) || outside_in_the_middle ca cb a b w mid) eqn:O; [|discriminate]. intros [= <-].
   destruct (chain_correct _ _ _ _ _ _ _ R0 CA) as (NF & PF & AF).
   destruct (chain_correct _ _ _ _ _ _ _ R0 CB) as (NG & PG & AG).
@@ -95,19 +100,19 @@ Proof.
   assert (Jq : in_part z (placed_part G h q)) by (rewrite Ey, placed_part_turned; apply in_part_turned; auto; apply PG; auto).
   destruct (is_line (how w)) eqn:HW.
   - destruct (how w) as [n level| |] eqn:HL; try discriminate.
-    destruct (line_correct r R0 F G P Q NF NG n level _ _ S h H) as [A B].
+    destruct (line_correct r (round_up r) R0 F G P Q NF NG _ _ RU n level _ _ Ta Tb S h H) as [A B].
     apply (parts_on_sides (values n) (eval level h) (placed_part F h p) (placed_part G h q)) with (z := z); auto.
     + intros e He. rewrite all_edges_placed in He. apply in_map_iff in He. destruct He as (e' & <- & He).
-      apply A. eapply has_edge_of; eauto.
+      apply A. eapply in_outline; eauto.
     + intros e He. rewrite all_edges_placed in He. apply in_map_iff in He. destruct He as (e' & <- & He).
-      apply B. eapply has_edge_of; eauto.
+      apply B. eapply in_outline; eauto.
   - cbn [orb] in O. unfold outside_in_the_middle in O.
     destruct (chain_model _ _ mid zero ca) as [[P0 c3]|] eqn:CA0; [|discriminate].
     destruct (chain_model _ _ mid zero cb) as [[Q0 c4]|] eqn:CB0; [|discriminate].
     apply andb_prop in O. destruct O as [O1 O2].
     destruct (chain_correct _ _ _ _ _ _ _ zero_nonneg CA0) as (MF & _). destruct (chain_correct _ _ _ _ _ _ _ zero_nonneg CB0) as (MG & _).
     apply (parts_apart r F G h (shape a) (shape b) P0 Q0 p q) with (z := z); auto.
-    intros e f He Hf. eapply separated_correct; eauto; eapply has_edge_of; eauto.
+    intros e f He Hf. apply (separated_correct r (round_up r) R0 F G P Q NF NG _ _ RU _ _ _ Ta Tb S); eapply in_outline; eauto.
 Qed.
 
 Lemma check_windows_correct check (safe : R -> bool -> Prop) stop l :
