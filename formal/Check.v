@@ -124,36 +124,42 @@ Definition outline_of (b : body) : outline :=
   let g := (top - vertex_bits)%Z in
   Outline g (tree_of (length e) g e).
 
-(** Whether all rings are outside of the other body in the middle of a window. *)
-Definition outside_in_the_middle (ca cb : list motion) (a b : body) (w : window) (middle : number) : bool :=
-  match chain_model (opens w) (closes w) middle zero ca, chain_model (opens w) (closes w) middle zero cb with
-  | Some (P, _), Some (Q, _) => outside P Q (shape a) (shape b) && outside Q P (shape b) (shape a)
-  | _, _ => false
-  end.
-
-(** Whether two chains and shapes are apart throughout a window; and whether its pieces hold at its end, too. *)
-Definition check_window (ca cb : list motion) (a b : body) (ea eb : outline) (w : window) : option bool :=
+(** Whether all edges of two bodies are separated throughout a window; and whether its pieces hold at its end, too. *)
+Definition check_window (ca cb : list motion) (ea eb : outline) (w : window) : option bool :=
   let middle := half (add (opens w) (closes w)) in
   let r := half (sub (closes w) (opens w)) in
   let s := round_up r in
   if at_most zero r then
     match chain_model (opens w) (closes w) middle r ca, chain_model (opens w) (closes w) middle r cb with
     | Some (P, closed), Some (Q, closed') =>
-        if separated r s (side_of (grid ea) s P) (side_of (grid eb) s Q) (tree_in ea) (tree_in eb) (how w) && (is_line (how w) || outside_in_the_middle ca cb a b w middle)
+        if separated r s (side_of (grid ea) s P) (side_of (grid eb) s Q) (tree_in ea) (tree_in eb) (how w)
         then Some (closed && closed') else None
     | _, _ => None
     end
   else None.
 
-(** Windows without a gap, from a time to another one. *)
-Fixpoint check_windows (check : window -> option bool) (time stop : number) (l : list window) : bool :=
+(** Whether all rings are outside of the other body in a window: on the other side of a line, or so in its middle. *)
+Definition outside_in_window (ca cb : list motion) (a b : body) (w : window) : bool :=
+  is_line (how w) ||
+  let middle := half (add (opens w) (closes w)) in
+  match chain_model (opens w) (closes w) middle zero ca, chain_model (opens w) (closes w) middle zero cb with
+  | Some (P, _), Some (Q, _) => outside P Q (shape a) (shape b) && outside Q P (shape b) (shape a)
+  | _, _ => false
+  end.
+
+(** Windows without a gap, from a time to another one. If all rings are known to be outside at the time, then also in a
+    window that holds there. *)
+Fixpoint check_windows (check : window -> option bool) (outside : window -> bool) (time : number) (known : bool) (stop : number)
+  (l : list window) : bool :=
   match l with
   | [] => false
   | w :: rest =>
       at_most (opens w) time &&
       match check w with
       | None => false
-      | Some closed => (at_most stop (closes w) && (closed || below stop (closes w))) || check_windows check (closes w) stop rest
+      | Some closed =>
+          (known && at_most time (closes w) && (closed || below time (closes w)) || outside w) &&
+          (at_most stop (closes w) && (closed || below stop (closes w)) || check_windows check outside (closes w) closed stop rest)
       end
   end.
 
@@ -198,7 +204,9 @@ Definition check_pair (s : scene) (stop : number) (x y : numbered) (l : list ((n
     | [] => None
     | (ij, windows) :: rest =>
         let (ca, cb) := without_common (chain a) (chain b) in
-        if is_pair i j ij && check_windows (check_window ca cb a b ea eb) (start s) stop windows then Some rest else None
+        if is_pair i j ij && 
+           check_windows (check_window ca cb ea eb) (outside_in_window ca cb a b) (start s) false stop windows
+        then Some rest else None
     end
   else Some l.
 

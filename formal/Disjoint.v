@@ -174,20 +174,14 @@ Proof.
       rewrite (outside_everywhere q p (apart_sym p q H) O' f) in C; auto. congruence.
 Qed.
 
-(** Two parts on different sides of a line. *)
-Theorem parts_on_sides n x (p q : part) :
-  (forall e, In e (all_edges p) -> dot n (fst e) < x /\ dot n (snd e) < x) ->
-  (forall e, In e (all_edges q) -> x < dot n (fst e) /\ x < dot n (snd e)) ->
-  forall z, ~ (in_part z p /\ in_part z q).
+(** Parts on different sides of a line. *)
+Lemma rings_outside_across n x (p q : part) :
+  (forall e, In e (all_edges p) -> dot n (fst e) < x) -> (forall e, In e (all_edges q) -> x < dot n (fst e) /\ x < dot n (snd e)) ->
+  rings_outside p q.
 Proof.
-  assert (S : forall n x (q : part) z, (forall e, In e (all_edges q) -> x < dot n (fst e) /\ x < dot n (snd e)) ->
-                                        in_part z q -> x < dot n z).
-  { intros m y q' z H [(r & e & Hr & He & O)|I].
-    - destruct (H e); [apply in_all_edges; eauto|]. eapply on_edge_after; eauto.
-    - destruct (Rlt_dec y (dot m z)); auto. rewrite (odd_in_front m) in I; [discriminate|].
-      intros r e Hr He. destruct (H e); [apply in_all_edges; eauto|]. lra. }
-  intros Hp Hq z [Ip Iq]. pose proof (S n x q z Hq Iq) as A.
-  assert (B : - x < dot (- fst n, - snd n) z).
-  { apply (S _ _ p); auto. intros e He. destruct (Hp e He). unfold dot in *; simpl; lra. }
-  unfold dot in *; simpl in B; lra.
+  intros Hp Hq r Hr Ne. destruct (edges r) as [|e l] eqn:E; [destruct Ne; auto|].
+  assert (I : In e (edges r)) by (rewrite E; left; auto).
+  exists e, (fst e). rewrite <- E. repeat split; auto using on_edge_first.
+  specialize (Hp e ltac:(apply in_all_edges; eauto)).
+  apply (odd_in_front n). intros r' f Hr' Hf. destruct (Hq f); [apply in_all_edges; eauto|]. lra.
 Qed.

@@ -24,22 +24,21 @@ Proof.
   unfold dot in *; cbn [fst snd]; repeat split; lra.
 Qed.
 
-(** What is outside in the middle is outside throughout the window. *)
-Lemma outside_kept r F G h p q : 0 <= value r -> Rabs h <= value r ->
+(** What is outside at an instant of the window is outside throughout it. *)
+Lemma outside_kept r F G h0 h p q : Rabs h0 <= value r -> Rabs h <= value r ->
   (forall e f, In e (all_edges_of p) -> In f (all_edges_of q) -> kept_apart r F G e f) ->
-  (forall rg, In rg p -> edges rg <> [] -> exists e k, In e (edges rg) /\ 0 <= k <= 1 /\
-     odd (between k (place F 0 (fst e)) (place F 0 (snd e))) (placed_part G 0 q) = false) ->
-  rings_outside (placed_part F h p) (placed_part G h q).
+  rings_outside (placed_part F h0 p) (placed_part G h0 q) -> rings_outside (placed_part F h p) (placed_part G h q).
 Proof.
-  intros R H K O rg' Hr Ne. unfold placed_part in Hr. apply in_map_iff in Hr. destruct Hr as (rg & <- & Hr).
-  rewrite edges_map in Ne |- *. destruct (O rg Hr) as (e & k & He & Hk & Od).
-  { intros E. rewrite E in Ne. auto. }
+  intros H0 H K O rg' Hr Ne. unfold placed_part in Hr. apply in_map_iff in Hr. destruct Hr as (rg & <- & Hr).
+  rewrite edges_map in Ne |- *. destruct (O (map (place F h0) rg)) as (e0 & w & He & (k & Hk & ->) & Od).
+  { unfold placed_part. apply in_map. auto. }
+  { rewrite edges_map. intros E. apply map_eq_nil in E. rewrite E in Ne. auto. }
+  rewrite edges_map, in_map_iff in He. destruct He as (e & <- & He). cbn [fst snd] in Od. fold (between k (place F h0 (fst e)) (place F h0 (snd e))) in Od.
   exists (place F h (fst e), place F h (snd e)), (between k (place F h (fst e)) (place F h (snd e))). split.
   { apply (in_map (fun e => (place F h (fst e), place F h (snd e)))). auto. }
   split; [exists k; auto|]. rewrite <- Od. symmetry. apply odd_step. intros rg2 f Hr2 Hf.
   destruct (K e f) as (n & N); try (unfold all_edges_of; apply in_flat_map; eauto).
-  exists n. assert (Z : Rabs 0 <= value r) by (rewrite Rabs_R0; auto).
-  destruct (N 0 Z) as (A & B & C & D). destruct (N h H) as (A' & B' & C' & D').
+  exists n. destruct (N h0 H0) as (A & B & C & D). destruct (N h H) as (A' & B' & C' & D').
   assert (OE : forall h, on_edge (between k (place F h (fst e)) (place F h (snd e))) (place F h (fst e)) (place F h (snd e)))
     by (intros; exists k; auto).
   repeat split; eapply on_edge_before; eauto.
@@ -56,84 +55,160 @@ Proof. unfold outline_of. cbn [grid tree_in]. apply tree_of_correct. Qed.
 Lemma in_outline b p e : In p (shape b) -> In e (all_edges_of p) -> in_tree e (tree_in (outline_of b)).
 Proof. intros Hp He. unfold outline_of. cbn [tree_in]. apply tree_of_correct. eapply in_edges_of; eauto. Qed.
 
-(** Two parts that a separation with halves keeps apart. *)
-Lemma parts_apart r F G h s t P0 Q0 p q : 0 <= value r -> Rabs h <= value r ->
-  near_frame zero F P0 -> near_frame zero G Q0 -> outside P0 Q0 s t = true -> outside Q0 P0 t s = true ->
-  (forall e f, In e (all_edges_of p) -> In f (all_edges_of q) -> kept_apart r F G e f) -> In p s -> In q t ->
-  forall z, ~ (in_part z (placed_part F h p) /\ in_part z (placed_part G h q)).
+Definition placed_shape (c : list motion) (after : bool) (t : R) (p : list (list vertex)) : part :=
+  map (map (placed after c t)) (map (map values) p).
+
+(** Each ring has a point outside of the other body's parts. *)
+Definition all_outside (ca cb : list motion) (a b : body) (t : R) (after : bool) : Prop :=
+  forall p q, In p (shape a) -> In q (shape b) ->
+  rings_outside (placed_shape ca after t p) (placed_shape cb after t q) /\ rings_outside (placed_shape cb after t q) (placed_shape ca after t p).
+Definition free_at (ca cb : list motion) (a b : body) (t : R) (after : bool) : Prop :=
+  forall z, ~ (covered ca a after t z /\ covered cb b after t z).
+
+(** What the checker finds in the middle of a window. *)
+Lemma outside_rings ca cb a b from to mid p q :
+  let F h := chain_frame from to ca (value mid + h) in let G h := chain_frame from to cb (value mid + h) in
+  match chain_model from to mid zero ca, chain_model from to mid zero cb with
+  | Some (P, _), Some (Q, _) => outside P Q (shape a) (shape b) && outside Q P (shape b) (shape a)
+  | _, _ => false
+  end = true -> In p (shape a) -> In q (shape b) ->
+  rings_outside (placed_part F 0 p) (placed_part G 0 q) /\ rings_outside (placed_part G 0 q) (placed_part F 0 p).
 Proof.
-  intros R H MF MG O1 O2 K Hp Hq. apply parts_disjoint.
-  - apply (kept_apart_parts r); auto.
-  - apply (outside_kept r); auto. intros. eapply (outside_correct F G P0 Q0 s t); eauto.
-  - apply (outside_kept r); auto.
-    + intros e f He Hf. apply kept_apart_sym. auto.
-    + intros. eapply (outside_correct G F Q0 P0 t s); eauto.
+  intros F G. destruct (chain_model from to mid zero ca) as [[P c]|] eqn:CA; [|discriminate].
+  destruct (chain_model from to mid zero cb) as [[Q d]|] eqn:CB; [|discriminate]. intros O Hp Hq. apply andb_prop in O. destruct O as [O1 O2].
+  destruct (chain_correct _ _ _ _ _ _ _ zero_nonneg CA) as (MF & _). destruct (chain_correct _ _ _ _ _ _ _ zero_nonneg CB) as (MG & _).
+  fold F in MF. fold G in MG.
+  assert (N : forall F G p q, (forall rg, In rg p -> edges rg <> [] -> exists e k, In e (edges rg) /\ 0 <= k <= 1 /\
+      odd (between k (place F 0 (fst e)) (place F 0 (snd e))) (placed_part G 0 q) = false) ->
+      rings_outside (placed_part F 0 p) (placed_part G 0 q)).
+  { intros F' G' p' q' N rg' Hr Ne. unfold placed_part in Hr. apply in_map_iff in Hr. destruct Hr as (rg & <- & Hr).
+    rewrite edges_map in Ne |- *. destruct (N rg Hr) as (e & k & He & Hk & Od).
+    { intros E. rewrite E in Ne. auto. }
+    exists (place F' 0 (fst e), place F' 0 (snd e)), (between k (place F' 0 (fst e)) (place F' 0 (snd e))).
+    split; [apply (in_map (fun e => (place F' 0 (fst e), place F' 0 (snd e)))); auto|]. split; [exists k; auto|exact Od]. }
+  split; apply N; intros; eapply outside_correct; eauto.
 Qed.
 
-Lemma check_window_correct ca cb a b w closed :
-  check_window ca cb a b (outline_of a) (outline_of b) w = Some closed ->
-  forall t after, in_window (opens w) (closes w) closed after t -> forall z, ~ (covered ca a after t z /\ covered cb b after t z).
-Proof.
-  unfold check_window. set (mid := half (add (opens w) (closes w))). set (r := half (sub (closes w) (opens w))).
-  destruct (at_most zero r) eqn:R0; [|discriminate]. apply at_most_correct in R0. rewrite value_zero in R0.
-  destruct (chain_model _ _ mid r ca) as [[P c1]|] eqn:CA; [|discriminate].
-  destruct (chain_model _ _ mid r cb) as [[Q c2]|] eqn:CB; [|discriminate].
-  set (oa := outline_of a). set (ob := outline_of b).
-  destruct (separated r (round_up r) (side_of (grid oa) (round_up r) P) (side_of (grid ob) (round_up r) Q) (tree_in oa) (tree_in ob) (how w))
-    eqn:S; [|discriminate].
-  pose proof (round_up_correct r) as RU. pose proof (right_outline a) as Ta. pose proof (right_outline b) as Tb. fold oa in Ta. fold ob in Tb.
-  destruct (is_line (how w) || outside_in_the_middle ca cb a b w mid) eqn:O; [|discriminate]. intros [= <-].
-  destruct (chain_correct _ _ _ _ _ _ _ R0 CA) as (NF & PF & AF).
-  destruct (chain_correct _ _ _ _ _ _ _ R0 CB) as (NG & PG & AG).
-  set (F := fun h => chain_frame (opens w) (closes w) ca (value mid + h)) in *.
-  set (G := fun h => chain_frame (opens w) (closes w) cb (value mid + h)) in *.
-  intros t after W z [(p & x & Hp & Ix & Ex) (q & y & Hq & Iy & Ey)].
-  set (h := t - value mid). assert (T : t = value mid + h) by (unfold h; ring).
-  assert (H : Rabs h <= value r).
-  { destruct W as [W _]. unfold h, mid, r in *. rewrite value_half, value_sub in R0. rewrite !value_half, value_sub, value_add.
-    apply Rabs_le. lra. }
-  clearbody h. subst t.
-  rewrite (AF h after x) in Ex by (apply (in_window_weaken _ _ (c1 && c2)); auto; destruct c1; auto).
-  rewrite (AG h after y) in Ey by (apply (in_window_weaken _ _ (c1 && c2)); auto; destruct c1, c2; auto).
-  change (z = apply (F h) x) in Ex. change (z = apply (G h) y) in Ey.
-  assert (Jp : in_part z (placed_part F h p)) by (rewrite Ex, placed_part_turned; apply in_part_turned; auto; apply PF; auto).
-  assert (Jq : in_part z (placed_part G h q)) by (rewrite Ey, placed_part_turned; apply in_part_turned; auto; apply PG; auto).
-  destruct (is_line (how w)) eqn:HW.
-  - destruct (how w) as [n level| |] eqn:HL; try discriminate.
-    destruct (line_correct r (round_up r) R0 F G P Q NF NG _ _ RU n level _ _ Ta Tb S h H) as [A B].
-    apply (parts_on_sides (values n) (eval level h) (placed_part F h p) (placed_part G h q)) with (z := z); auto.
-    + intros e He. rewrite all_edges_placed in He. apply in_map_iff in He. destruct He as (e' & <- & He).
-      apply A. eapply in_outline; eauto.
-    + intros e He. rewrite all_edges_placed in He. apply in_map_iff in He. destruct He as (e' & <- & He).
-      apply B. eapply in_outline; eauto.
-  - cbn [orb] in O. unfold outside_in_the_middle in O.
-    destruct (chain_model _ _ mid zero ca) as [[P0 c3]|] eqn:CA0; [|discriminate].
-    destruct (chain_model _ _ mid zero cb) as [[Q0 c4]|] eqn:CB0; [|discriminate].
-    apply andb_prop in O. destruct O as [O1 O2].
-    destruct (chain_correct _ _ _ _ _ _ _ zero_nonneg CA0) as (MF & _). destruct (chain_correct _ _ _ _ _ _ _ zero_nonneg CB0) as (MG & _).
-    apply (parts_apart r F G h (shape a) (shape b) P0 Q0 p q) with (z := z); auto.
-    intros e f He Hf. apply (separated_correct r (round_up r) R0 F G P Q NF NG _ _ RU _ _ _ Ta Tb S); eapply in_outline; eauto.
-Qed.
+Section Window.
+  Variables (ca cb : list motion) (a b : body) (w : window) (closed : bool).
+  Hypothesis checked : check_window ca cb (outline_of a) (outline_of b) w = Some closed.
+  Let mid := half (add (opens w) (closes w)).
+  Let r := half (sub (closes w) (opens w)).
+  Let F h := chain_frame (opens w) (closes w) ca (value mid + h).
+  Let G h := chain_frame (opens w) (closes w) cb (value mid + h).
 
-Lemma check_windows_correct check (safe : R -> bool -> Prop) stop l :
-  (forall w closed, check w = Some closed -> forall t after, in_window (opens w) (closes w) closed after t -> safe t after) ->
-  forall time, check_windows check time stop l = true ->
+  Lemma window_frames : 0 <= value r /\
+    (forall p q, In p (shape a) -> In q (shape b) ->
+       (forall e f, In e (all_edges_of p) -> In f (all_edges_of q) -> kept_apart r F G e f) /\
+       (outside_in_window ca cb a b w = true ->
+        rings_outside (placed_part F 0 p) (placed_part G 0 q) /\ rings_outside (placed_part G 0 q) (placed_part F 0 p))) /\
+    forall t after, in_window (opens w) (closes w) closed after t -> exists h, Rabs h <= value r /\ proper (F h) /\ proper (G h) /\
+      forall x, placed after ca t x = apply (F h) x /\ placed after cb t x = apply (G h) x.
+  Proof.
+    revert checked. unfold check_window. fold mid r. set (s := round_up r). set (oa := outline_of a). set (ob := outline_of b).
+    destruct (at_most zero r) eqn:R0; [|discriminate]. apply at_most_correct in R0. rewrite value_zero in R0.
+    destruct (chain_model _ _ mid r ca) as [[P c1]|] eqn:CA; [|discriminate].
+    destruct (chain_model _ _ mid r cb) as [[Q c2]|] eqn:CB; [|discriminate].
+    destruct (separated r s (side_of (grid oa) s P) (side_of (grid ob) s Q) (tree_in oa) (tree_in ob) (how w)) eqn:S; [|discriminate].
+    intros [= <-]. pose proof (round_up_correct r) as RU. fold s in RU.
+    pose proof (right_outline a) as Ta. pose proof (right_outline b) as Tb. fold oa in Ta. fold ob in Tb.
+    destruct (chain_correct _ _ _ _ _ _ _ R0 CA) as (NF & PF & AF). destruct (chain_correct _ _ _ _ _ _ _ R0 CB) as (NG & PG & AG).
+    fold F in NF. fold G in NG. split; auto. split.
+    - intros p q Hp Hq. split.
+      + intros e f He Hf. apply (separated_correct r s R0 F G P Q NF NG _ _ RU _ _ _ Ta Tb S); eapply in_outline; eauto.
+      + unfold outside_in_window. fold mid. intros O. destruct (how w) as [n level| |] eqn:HW; cbn [is_line orb] in O.
+        * assert (Z : Rabs 0 <= value r) by (rewrite Rabs_R0; auto).
+          destruct (line_correct r s R0 F G P Q NF NG _ _ RU n level _ _ Ta Tb S 0 Z) as [A B].
+          assert (EA : forall e, In e (all_edges (placed_part F 0 p)) ->
+                   dot (values n) (fst e) < eval level 0 /\ dot (values n) (snd e) < eval level 0).
+          { intros e He. rewrite all_edges_placed in He. apply in_map_iff in He. destruct He as (e' & <- & He).
+            apply A. eapply in_outline; eauto. }
+          assert (EB : forall e, In e (all_edges (placed_part G 0 q)) ->
+                   eval level 0 < dot (values n) (fst e) /\ eval level 0 < dot (values n) (snd e)).
+          { intros e He. rewrite all_edges_placed in He. apply in_map_iff in He. destruct He as (e' & <- & He).
+            apply B. eapply in_outline; eauto. }
+          assert (Neg : forall v, dot (- fst (values n), - snd (values n)) v = - dot (values n) v) by (intros; unfold dot; simpl; ring).
+          split; [apply (rings_outside_across (values n) (eval level 0))|
+                  apply (rings_outside_across (- fst (values n), - snd (values n)) (- eval level 0))].
+          -- intros e He. apply EA; auto.
+          -- auto.
+          -- intros e He. rewrite Neg. destruct (EB e He). lra.
+          -- intros e He. rewrite !Neg. destruct (EA e He). lra.
+        * apply (outside_rings ca cb a b (opens w) (closes w) mid); auto.
+        * apply (outside_rings ca cb a b (opens w) (closes w) mid); auto.
+    - intros t after W. set (h := t - value mid). assert (T : t = value mid + h) by (unfold h; ring).
+      assert (H : Rabs h <= value r).
+      { destruct W as [W _]. unfold h, mid, r in *. rewrite value_half, value_sub in R0. rewrite !value_half, value_sub, value_add.
+        apply Rabs_le. lra. }
+      exists h. rewrite T in W |- *. split; auto. split; [apply PF; auto|]. split; [apply PG; auto|]. intros x. split.
+      + apply AF. apply (in_window_weaken _ _ (c1 && c2)); auto. destruct c1; auto.
+      + apply AG. apply (in_window_weaken _ _ (c1 && c2)); auto. destruct c1, c2; auto.
+  Qed.
+
+  Lemma placed_shape_part c (H : R -> frame) after t h p : (forall x, placed after c t x = apply (H h) x) ->
+    placed_shape c after t p = placed_part H h p.
+  Proof. intros E. rewrite placed_part_turned. apply map_ext. intros rg. apply map_ext. auto. Qed.
+
+  (** What is outside at an instant of a window is outside throughout it; and then nothing is in both. *)
+  Lemma check_window_correct :
+    (forall t after, in_window (opens w) (closes w) closed after t -> all_outside ca cb a b t after -> free_at ca cb a b t after) /\
+    (forall t after t' after', in_window (opens w) (closes w) closed after t -> in_window (opens w) (closes w) closed after' t' ->
+       all_outside ca cb a b t' after' -> all_outside ca cb a b t after) /\
+    (outside_in_window ca cb a b w = true ->
+       forall t after, in_window (opens w) (closes w) closed after t -> all_outside ca cb a b t after) /\
+    value (opens w) <= value (closes w).
+  Proof.
+    destruct window_frames as (R0 & K & I). split; [|split; [|split]].
+    - intros t after W O z [(p & x & Hp & Ix & Ex) (q & y & Hq & Iy & Ey)].
+      destruct (I t after W) as (h & Hh & PF & PG & E). destruct (K p q Hp Hq) as [Kp _]. destruct (O p q Hp Hq) as [O1 O2].
+      rewrite (placed_shape_part ca F after t h) in O1, O2 by apply E. rewrite (placed_shape_part cb G after t h) in O1, O2 by apply E.
+      apply (parts_disjoint (placed_part F h p) (placed_part G h q)) with (z := z); auto; [eapply kept_apart_parts; eauto|].
+      rewrite Ex at 1. rewrite Ey. destruct (E x) as [-> _]. destruct (E y) as [_ ->].
+      rewrite !placed_part_turned. split; apply in_part_turned; auto.
+    - intros t after t' after' W W' O p q Hp Hq. destruct (I t after W) as (h & Hh & _ & _ & E). destruct (I t' after' W') as (h' & Hh' & _ & _ & E').
+      destruct (K p q Hp Hq) as [Kp _]. destruct (O p q Hp Hq) as [O1 O2].
+      rewrite (placed_shape_part ca F after' t' h'), (placed_shape_part cb G after' t' h') in O1, O2 by apply E'.
+      rewrite (placed_shape_part ca F after t h), (placed_shape_part cb G after t h) by apply E.
+      split; [apply (outside_kept r F G h' h)|apply (outside_kept r G F h' h)]; auto. intros. apply kept_apart_sym. auto.
+    - intros O t after W p q Hp Hq. destruct (I t after W) as (h & Hh & _ & _ & E). destruct (K p q Hp Hq) as [Kp M].
+      destruct (M O) as [O1 O2]. rewrite (placed_shape_part ca F after t h), (placed_shape_part cb G after t h) by apply E.
+      assert (Z : Rabs 0 <= value r) by (rewrite Rabs_R0; auto).
+      split; [apply (outside_kept r F G 0 h)|apply (outside_kept r G F 0 h)]; auto. intros. apply kept_apart_sym. auto.
+    - unfold r in R0. rewrite value_half, value_sub in R0. lra.
+  Qed.
+End Window.
+
+Lemma check_windows_correct check outside (safe out : R -> bool -> Prop) stop l :
+  (forall w closed, check w = Some closed ->
+     (forall t after, in_window (opens w) (closes w) closed after t -> out t after -> safe t after) /\
+     (forall t after t' after', in_window (opens w) (closes w) closed after t -> in_window (opens w) (closes w) closed after' t' ->
+        out t' after' -> out t after) /\
+     (outside w = true -> forall t after, in_window (opens w) (closes w) closed after t -> out t after) /\
+     value (opens w) <= value (closes w)) ->
+  forall time known, check_windows check outside time known stop l = true -> (known = true -> out (value time) true) ->
   forall t after, value time <= t <= value stop -> (after = false -> value time < t) -> safe t after.
 Proof.
-  intros C. induction l as [|w l IH]; intros time H t after T A; [discriminate|].
+  intros C. induction l as [|w l IH]; intros time known H Known t after T A; [discriminate|].
   cbn [check_windows] in H. apply andb_prop in H. destruct H as [H1 H2]. apply at_most_correct in H1.
-  destruct (check w) as [closed|] eqn:E; [|discriminate].
+  destruct (check w) as [closed|] eqn:E; [|discriminate]. destruct (C w closed E) as (Safe & Kept & Begin & Order).
+  apply andb_prop in H2. destruct H2 as [H2 H3].
+  assert (Out : forall t after, in_window (opens w) (closes w) closed after t -> out t after).
+  { apply orb_prop in H2. destruct H2 as [H2|H2]; [|apply Begin; auto].
+    rewrite !andb_true_iff in H2. destruct H2 as [[-> M] N]. apply at_most_correct in M.
+    intros t' after' W. apply (Kept t' after' (value time) true); auto. split; [lra|]. split; [|discriminate].
+    intros _. apply orb_prop in N. destruct N as [N|N]; auto. apply below_correct in N. auto. }
   assert (D : in_window (opens w) (closes w) closed after t \/ (value (closes w) < t \/ (t = value (closes w) /\ after = true /\ closed = false))).
   { unfold in_window. destruct (Rtotal_order t (value (closes w))) as [L|[L|L]]; [left| |right; left; lra].
     - repeat split; try lra; auto. intros F. specialize (A F). lra.
     - destruct after, closed; [left|right; right; auto|left|left]; repeat split; try lra; auto; try discriminate.
       all: intros F; specialize (A F); lra. }
-  destruct D as [D|D]; [eapply C; eauto|].
-  apply orb_prop in H2. destruct H2 as [H2|H2].
-  - exfalso. apply andb_prop in H2. destruct H2 as [M N]. apply at_most_correct in M. apply orb_prop in N.
+  destruct D as [D|D]; [auto|].
+  apply orb_prop in H3. destruct H3 as [H3|H3].
+  - exfalso. apply andb_prop in H3. destruct H3 as [M N]. apply at_most_correct in M. apply orb_prop in N.
     destruct D as [D|(D1 & D2 & D3)]; [lra|]. destruct N as [N|N]; [congruence|]. apply below_correct in N. lra.
-  - apply (IH (closes w)); auto; [destruct D as [D|(D & _)]; lra|].
-    intros F. destruct D as [D|(_ & D & _)]; [lra|congruence].
+  - apply (IH (closes w) closed); auto; [|destruct D as [D|(D & _)]; lra|].
+    + intros ->. apply Out. split; [lra|]. split; auto. discriminate.
+    + intros F. destruct D as [D|(_ & D & _)]; [lra|congruence].
 Qed.
 
 (** * Pairs *)
@@ -165,9 +240,9 @@ Lemma check_pair_correct s stop i a j b l l' :
 Proof.
   unfold check_pair. intros H T. rewrite (is_tested_correct _ _ _ _ _ T) in H. destruct l as [|[ij windows] rest]; [discriminate|].
   destruct (without_common (chain a) (chain b)) as [ca cb] eqn:E. destruct (is_pair i j ij); [|discriminate]. simpl in H.
-  destruct (check_windows _ _ _ _) eqn:W; [|discriminate]. intros t after Ht A z [(p & x & Hp & Ix & Ex) (q & y & Hq & Iy & Ey)].
-  pose proof (check_windows_correct _ (fun t after => forall z, ~ (covered ca a after t z /\ covered cb b after t z)) _ _
-    (fun w closed C => check_window_correct ca cb a b w closed C) _ W t after Ht A) as N. cbv beta in N.
+  destruct (check_windows _ _ _ _ _ _) eqn:W; [|discriminate]. intros t after Ht A z [(p & x & Hp & Ix & Ex) (q & y & Hq & Iy & Ey)].
+  pose proof (check_windows_correct _ _ (free_at ca cb a b) (all_outside ca cb a b) _ _
+    (fun w closed C => check_window_correct ca cb a b w closed C) _ _ W ltac:(discriminate) t after Ht A) as N.
   apply (N (placed after ca t x)). split; [exists p, x; auto|]. exists q, y. split; auto. split; auto.
   apply (without_common_correct _ _ _ _ E). congruence.
 Qed.
