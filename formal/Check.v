@@ -37,12 +37,28 @@ Fixpoint exactly_beyond (r : number) (J : projection) (t : tree) : bool :=
   | Node _ t1 t2 => exactly_beyond r J t1 && exactly_beyond r J t2
   end.
 
-(** The edges of a body, on a grid of 2^[grid]. *)
-Record outline := Outline { grid : Z; tree_in : tree }.
-
 (** Where a body is in a window. *)
 Record side := Side { grid_of : Z; place_in : placement; whole_in : whole_placement }.
 Definition side_of (g : Z) (s : number) (P : placement) : side := Side g P (whole_of g s P).
+(** Half of a window's length, and not less than that in few bits. *)
+Definition radius (opens closes : number) : number := half (sub closes opens).
+(** Where a chain puts a body in a window, and whether its pieces hold at the window's end, too. *)
+Definition placed_in (g : Z) (c : list motion) (opens closes : number) : option (side * bool) :=
+  let r := radius opens closes in
+  match chain_model opens closes (half (add opens closes)) r c with
+  | None => None
+  | Some (P, closed) => Some (side_of g (round_up r) P, closed)
+  end.
+
+Definition number_eq (a b : number) : {a = b} + {a <> b}.
+Proof. decide equality; apply Z.eq_dec. Defined.
+
+(** The edges of a body, on a grid of 2^[grid]; and where it is in the longest window, which many pairs have. *)
+Record outline := Outline { grid : Z; tree_in : tree; from : number; to : number; throughout : option (side * bool) }.
+Definition placed_outline (o : outline) (whole_chain : bool) (c : list motion) (opens closes : number) : option (side * bool) :=
+  if whole_chain && (if number_eq opens (from o) then true else false) && (if number_eq closes (to o) then true else false)
+  then throughout o else placed_in (grid o) c opens closes.
+
 
 (** Whether edges are beyond a level for |h| <= r: first in whole numbers, in terms of h / s, where r <= s. *)
 Definition beyond (r s : number) (n : number * number) (level : poly) (S : side) (t : tree) : bool :=
@@ -118,22 +134,19 @@ Definition outside (P Q : placement) (s t : list (list (list vertex))) : bool :=
 
 Definition is_line (s : separation) : bool := match s with Line _ _ => true | _ => false end.
 Definition edges_of (b : body) : list (vertex * vertex) := flat_map all_edges_of (shape b).
-Definition outline_of (b : body) : outline :=
+Definition outline_of (from to : number) (b : body) : outline :=
   let e := edges_of b in
-  let top := fold_right (fun (e : vertex * vertex) m => let (x, y) := fst e in Z.max (magnitude x) (Z.max (magnitude y) m)) (-1000)%Z e in
-  let g := (top - vertex_bits)%Z in
-  Outline g (tree_of (length e) g e).
+  let highest (v : vertex) := Z.max (magnitude (fst v)) (magnitude (snd v)) in
+  let g := (fold_right (fun (e : edge) m => Z.max (highest (fst e)) m) (-1000) e - vertex_bits)%Z in
+  Outline g (tree_of (length e) g e) from to (placed_in g (chain b) from to).
 
 (** Whether all edges of two bodies are separated throughout a window; and whether its pieces hold at its end, too. *)
-Definition check_window (ca cb : list motion) (ea eb : outline) (w : window) : option bool :=
-  let middle := half (add (opens w) (closes w)) in
-  let r := half (sub (closes w) (opens w)) in
-  let s := round_up r in
+Definition check_window (place_a place_b : number -> number -> option (side * bool)) (ta tb : tree) (w : window) : option bool :=
+  let r := radius (opens w) (closes w) in
   if at_most zero r then
-    match chain_model (opens w) (closes w) middle r ca, chain_model (opens w) (closes w) middle r cb with
-    | Some (P, closed), Some (Q, closed') =>
-        if separated r s (side_of (grid ea) s P) (side_of (grid eb) s Q) (tree_in ea) (tree_in eb) (how w)
-        then Some (closed && closed') else None
+    match place_a (opens w) (closes w), place_b (opens w) (closes w) with
+    | Some (A, closed), Some (B, closed') =>
+        if separated r (round_up r) A B ta tb (how w) then Some (closed && closed') else None
     | _, _ => None
     end
   else None.
@@ -165,8 +178,6 @@ Fixpoint check_windows (check : window -> option bool) (outside : window -> bool
 
 (** * Pairs *)
 
-Definition number_eq (a b : number) : {a = b} + {a <> b}.
-Proof. decide equality; apply Z.eq_dec. Defined.
 Definition rotation_eq (a b : rotation) : {a = b} + {a <> b}.
 Proof. decide equality; apply (list_eq_dec number_eq). Defined.
 Definition pair_eq {A B} (ea : forall a b : A, {a = b} + {a <> b}) (eb : forall a b : B, {a = b} + {a <> b}) (p q : A * B) :
@@ -187,6 +198,7 @@ Fixpoint without_common (c d : list motion) : list motion * list motion :=
   | _, _ => (c, d)
   end.
 
+Definition same_length {A} (l m : list A) : bool := Nat.eqb (length l) (length m).
 Definition is_pair (i j : nat) (p : nat * nat) : bool := Nat.eqb (fst p) i && Nat.eqb (snd p) j.
 Definition is_tested (s : scene) (i j : nat) (a b : body) : bool :=
   negb (existsb (fun p => is_pair i j p || is_pair j i p) (ignored s)) &&
@@ -205,7 +217,9 @@ Definition check_pair (s : scene) (stop : number) (x y : numbered) (l : list ((n
     | (ij, windows) :: rest =>
         let (ca, cb) := without_common (chain a) (chain b) in
         if is_pair i j ij && 
-           check_windows (check_window ca cb ea eb) (outside_in_window ca cb a b) (start s) false stop windows
+           check_windows (check_window (placed_outline ea (same_length ca (chain a)) ca) (placed_outline eb (same_length cb (chain b)) cb)
+                            (tree_in ea) (tree_in eb))
+             (outside_in_window ca cb a b) (start s) false stop windows
         then Some rest else None
     end
   else Some l.
@@ -221,8 +235,8 @@ Fixpoint check_rows (s : scene) (stop : number) (xs : list numbered) (l : list (
   | x :: xs => match check_row s stop x xs l with None => None | Some l => check_rows s stop xs l end
   end.
 
-Fixpoint number_bodies (i : nat) (l : list body) : list numbered :=
-  match l with [] => [] | b :: l => (i, (b, outline_of b)) :: number_bodies (S i) l end.
+Fixpoint number_bodies (from to : number) (i : nat) (l : list body) : list numbered :=
+  match l with [] => [] | b :: l => (i, (b, outline_of from to b)) :: number_bodies from to (S i) l end.
 
 Definition check (s : scene) (l : log) : bool :=
-  match check_rows s (proved_until l) (number_bodies 0 (bodies s)) (pairs l) with Some [] => true | _ => false end.
+  match check_rows s (proved_until l) (number_bodies (start s) (proved_until l) 0 (bodies s)) (pairs l) with Some [] => true | _ => false end.

@@ -50,9 +50,9 @@ Proof. unfold placed_part. rewrite map_map. apply map_ext. intros rg. rewrite ma
 Definition covered (c : list motion) (b : body) (after : bool) (t : R) (z : point) : Prop :=
   exists p q, In p (shape b) /\ in_part q (map (map values) p) /\ z = placed after c t q.
 
-Lemma right_outline b : right_tree (grid (outline_of b)) (tree_in (outline_of b)).
+Lemma right_outline x y b : right_tree (grid (outline_of x y b)) (tree_in (outline_of x y b)).
 Proof. unfold outline_of. cbn [grid tree_in]. apply tree_of_correct. Qed.
-Lemma in_outline b p e : In p (shape b) -> In e (all_edges_of p) -> in_tree e (tree_in (outline_of b)).
+Lemma in_outline x y b p e : In p (shape b) -> In e (all_edges_of p) -> in_tree e (tree_in (outline_of x y b)).
 Proof. intros Hp He. unfold outline_of. cbn [tree_in]. apply tree_of_correct. eapply in_edges_of; eauto. Qed.
 
 Definition placed_shape (c : list motion) (after : bool) (t : R) (p : list (list vertex)) : part :=
@@ -90,10 +90,12 @@ Proof.
 Qed.
 
 Section Window.
-  Variables (ca cb : list motion) (a b : body) (w : window) (closed : bool).
-  Hypothesis checked : check_window ca cb (outline_of a) (outline_of b) w = Some closed.
+  Variables (begins ends : number) (ca cb : list motion) (a b : body) (w : window) (closed : bool).
+  Let oa := outline_of begins ends a.
+  Let ob := outline_of begins ends b.
+  Hypothesis checked : check_window (placed_in (grid oa) ca) (placed_in (grid ob) cb) (tree_in oa) (tree_in ob) w = Some closed.
   Let mid := half (add (opens w) (closes w)).
-  Let r := half (sub (closes w) (opens w)).
+  Let r := radius (opens w) (closes w).
   Let F h := chain_frame (opens w) (closes w) ca (value mid + h).
   Let G h := chain_frame (opens w) (closes w) cb (value mid + h).
 
@@ -105,13 +107,13 @@ Section Window.
     forall t after, in_window (opens w) (closes w) closed after t -> exists h, Rabs h <= value r /\ proper (F h) /\ proper (G h) /\
       forall x, placed after ca t x = apply (F h) x /\ placed after cb t x = apply (G h) x.
   Proof.
-    revert checked. unfold check_window. fold mid r. set (s := round_up r). set (oa := outline_of a). set (ob := outline_of b).
+    revert checked. unfold check_window, placed_in. fold r mid. set (s := round_up r).
     destruct (at_most zero r) eqn:R0; [|discriminate]. apply at_most_correct in R0. rewrite value_zero in R0.
     destruct (chain_model _ _ mid r ca) as [[P c1]|] eqn:CA; [|discriminate].
     destruct (chain_model _ _ mid r cb) as [[Q c2]|] eqn:CB; [|discriminate].
     destruct (separated r s (side_of (grid oa) s P) (side_of (grid ob) s Q) (tree_in oa) (tree_in ob) (how w)) eqn:S; [|discriminate].
     intros [= <-]. pose proof (round_up_correct r) as RU. fold s in RU.
-    pose proof (right_outline a) as Ta. pose proof (right_outline b) as Tb. fold oa in Ta. fold ob in Tb.
+    pose proof (right_outline begins ends a) as Ta. pose proof (right_outline begins ends b) as Tb. fold oa in Ta. fold ob in Tb.
     destruct (chain_correct _ _ _ _ _ _ _ R0 CA) as (NF & PF & AF). destruct (chain_correct _ _ _ _ _ _ _ R0 CB) as (NG & PG & AG).
     fold F in NF. fold G in NG. split; auto. split.
     - intros p q Hp Hq. split.
@@ -138,7 +140,7 @@ Section Window.
         * apply (outside_rings ca cb a b (opens w) (closes w) mid); auto.
     - intros t after W. set (h := t - value mid). assert (T : t = value mid + h) by (unfold h; ring).
       assert (H : Rabs h <= value r).
-      { destruct W as [W _]. unfold h, mid, r in *. rewrite value_half, value_sub in R0. rewrite !value_half, value_sub, value_add.
+      { destruct W as [W _]. unfold h, mid, r, radius in *. rewrite value_half, value_sub in R0. rewrite !value_half, value_sub, value_add.
         apply Rabs_le. lra. }
       exists h. rewrite T in W |- *. split; auto. split; [apply PF; auto|]. split; [apply PG; auto|]. intros x. split.
       + apply AF. apply (in_window_weaken _ _ (c1 && c2)); auto. destruct c1; auto.
@@ -174,7 +176,7 @@ Section Window.
       destruct (M O) as [O1 O2]. rewrite (placed_shape_part ca F after t h), (placed_shape_part cb G after t h) by apply E.
       assert (Z : Rabs 0 <= value r) by (rewrite Rabs_R0; auto).
       split; [apply (outside_kept r F G 0 h)|apply (outside_kept r G F 0 h)]; auto. intros. apply kept_apart_sym. auto.
-    - unfold r in R0. rewrite value_half, value_sub in R0. lra.
+    - unfold r, radius in R0. rewrite value_half, value_sub in R0. lra.
   Qed.
 End Window.
 
@@ -231,18 +233,39 @@ Proof.
   - destruct C as [C|C]; [rewrite C; auto|]. destruct (chain_eq (chain a) (chain b)); [congruence|]. apply orb_true_r.
 Qed.
 
+Lemma without_common_whole c d c' d' : without_common c d = (c', d') ->
+  ((length c' <= length c)%nat /\ (length c' = length c -> c' = c)) /\ ((length d' <= length d)%nat /\ (length d' = length d -> d' = d)).
+Proof.
+  revert d; induction c as [|m c IH]; intros d; [intros [= <- <-]; auto|].
+  destruct d as [|n d]; [intros [= <- <-]; auto|]. cbn [without_common].
+  destruct (regular m); [|intros [= <- <-]; auto]. destruct (motion_eq m n) as [<-|]; [|intros [= <- <-]; auto].
+  intros E. destruct (IH d E) as [[L _] [M _]]. simpl. repeat split; lia.
+Qed.
+Lemma placed_outline_correct x y b c opens closes : (length c = length (chain b) -> c = chain b) ->
+  placed_outline (outline_of x y b) (same_length c (chain b)) c opens closes = placed_in (grid (outline_of x y b)) c opens closes.
+Proof.
+  intros L. unfold placed_outline, same_length. destruct (Nat.eqb_spec (length c) (length (chain b))) as [E|]; auto.
+  rewrite (L E). cbn [andb from to outline_of]. destruct (number_eq opens x) as [->|]; auto. destruct (number_eq closes y) as [->|]; auto.
+Qed.
+
 Definition disjoint_until (s : scene) (stop : number) (a b : body) : Prop :=
   forall t after, value (start s) <= t <= value stop -> (after = false -> value (start s) < t) ->
   forall z, ~ (covers a after t z /\ covers b after t z).
 
-Lemma check_pair_correct s stop i a j b l l' :
-  check_pair s stop (i, (a, outline_of a)) (j, (b, outline_of b)) l = Some l' -> tested s i j a b -> disjoint_until s stop a b.
+Lemma check_pair_correct s begins ends stop i a j b l l' :
+  check_pair s stop (i, (a, outline_of begins ends a)) (j, (b, outline_of begins ends b)) l = Some l' -> tested s i j a b -> disjoint_until s stop a b.
 Proof.
   unfold check_pair. intros H T. rewrite (is_tested_correct _ _ _ _ _ T) in H. destruct l as [|[ij windows] rest]; [discriminate|].
   destruct (without_common (chain a) (chain b)) as [ca cb] eqn:E. destruct (is_pair i j ij); [|discriminate]. simpl in H.
   destruct (check_windows _ _ _ _ _ _) eqn:W; [|discriminate]. intros t after Ht A z [(p & x & Hp & Ix & Ex) (q & y & Hq & Iy & Ey)].
+  destruct (without_common_whole _ _ _ _ E) as [[_ La] [_ Lb]].
+  assert (same : forall w closed, check_window (placed_outline (outline_of begins ends a) (same_length ca (chain a)) ca)
+      (placed_outline (outline_of begins ends b) (same_length cb (chain b)) cb) (tree_in (outline_of begins ends a)) (tree_in (outline_of begins ends b)) w = Some closed ->
+    check_window (placed_in (grid (outline_of begins ends a)) ca) (placed_in (grid (outline_of begins ends b)) cb)
+      (tree_in (outline_of begins ends a)) (tree_in (outline_of begins ends b)) w = Some closed).
+  { intros w closed. unfold check_window. rewrite !placed_outline_correct by auto. auto. }
   pose proof (check_windows_correct _ _ (free_at ca cb a b) (all_outside ca cb a b) _ _
-    (fun w closed C => check_window_correct ca cb a b w closed C) _ _ W ltac:(discriminate) t after Ht A) as N.
+    (fun w closed C => check_window_correct begins ends ca cb a b w closed (same w closed C)) _ _ W ltac:(discriminate) t after Ht A) as N.
   apply (N (placed after ca t x)). split; [exists p, x; auto|]. exists q, y. split; auto. split; auto.
   apply (without_common_correct _ _ _ _ E). congruence.
 Qed.
@@ -264,7 +287,8 @@ Proof.
   - eapply IH; eauto.
 Qed.
 
-Lemma number_bodies_nth l k i b : nth_error l i = Some b -> nth_error (number_bodies k l) i = Some ((k + i)%nat, (b, outline_of b)).
+Lemma number_bodies_nth x y l k i b :
+  nth_error l i = Some b -> nth_error (number_bodies x y k l) i = Some ((k + i)%nat, (b, outline_of x y b)).
 Proof.
   revert k i; induction l as [|b' l IH]; intros k i; [destruct i; discriminate|]. destruct i as [|i]; simpl.
   - intros [= ->]. rewrite Nat.add_0_r. reflexivity.
@@ -275,10 +299,10 @@ Theorem accepted_is_free : forall (s : scene) (l : log), check s l = true -> fre
 Proof.
   intros s l H. unfold check in H. destruct (check_rows _ _ _ _) as [rest|] eqn:C; [|discriminate]. clear H.
   intros t after Ht A i j a b T z. pose proof T as (L & Na & Nb & _).
-  apply (number_bodies_nth _ 0) in Na, Nb. simpl in Na, Nb.
+  apply (number_bodies_nth (start s) (proved_until l) _ 0) in Na, Nb. simpl in Na, Nb.
   destruct (nth_error_split _ _ Na) as (before & following & E & Len).
-  assert (I : In (j, (b, outline_of b)) following).
+  assert (I : In (j, (b, outline_of (start s) (proved_until l) b)) following).
   { rewrite E, nth_error_app2 in Nb by lia. destruct (j - length before)%nat eqn:D; [lia|]. simpl in Nb. eapply nth_error_In; eauto. }
   destruct (check_rows_correct _ _ _ _ _ C _ _ _ _ E I) as (m & m' & P).
-  apply (check_pair_correct s (proved_until l) i a j b m m'); auto.
+  apply (check_pair_correct s (start s) (proved_until l) (proved_until l) i a j b m m'); auto.
 Qed.
