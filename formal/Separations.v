@@ -63,8 +63,8 @@ Section Window.
     assert (V : forall v, positive r (along_direction (project r n level J) v) = true -> eval level h < dot (values n) (place H h v)).
     { intros v T. pose proof (positive_correct r _ _ h R0 (near_along _ _ _ _ v NJ) T Hh) as A. rewrite vertex_along_place in A. lra. }
     induction t as [|e b c d|b t1 IH1 t2 IH2]; intros e' I; cbn [in_tree exactly_beyond] in *; [destruct I| |]; apply andb_prop in B.
-    - subst. split; apply V; tauto.
-    - destruct B, I; auto.
+    - subst. destruct B as [B1 B2]. split; [exact (V _ B1)|exact (V _ B2)].
+    - destruct B as [B1 B2]. destruct I as [I|I]; [exact (IH1 B1 e' I)|exact (IH2 B2 e' I)].
   Qed.
 
   Lemma same_instant_of h : Rabs h <= value r -> value r <= value s -> exists u, same_instant (value s) h u.

@@ -179,12 +179,14 @@ def changed_scene(rng, scene):
 def test_reading_of_changed_scenes():
     rng, files = random.Random(2), []
     for number, file in enumerate(listed_scenes()):
-        for k in range(max(1, count // 100)):
+        for k in range(max(1, min(20, count // 100))):
             changed = folder / f"changed_{number}_{k}.json"
             changed.write_text(json.dumps(changed_scene(rng, json.loads(file.read_text()))))
             files.append(changed)
-    lines = subprocess.run([exact_logs, "read", *files], capture_output=True, text=True, check=True).stdout.splitlines()
-    by_taut = {line["file"]: line["scene"] for line in map(json.loads, lines)}
+    by_taut = {}
+    for first in range(0, len(files), 1000):
+        read = subprocess.run([exact_logs, "read", *files[first:first + 1000]], capture_output=True, text=True, check=True)
+        by_taut.update((line["file"], line["scene"]) for line in map(json.loads, read.stdout.splitlines()))
     tally = collections.Counter()
     for file in files:
         done = subprocess.run([verified, "--print", file], capture_output=True, text=True)
