@@ -54,6 +54,7 @@ const titles = {
   "worlds/puzzle": "World: a puzzle",
   "paths/piano": "Way: a piano around the corner",
   "paths/piano_long": "Way: a piano that is too long",
+  "paths/excavator": "Way: an excavator around a pipe",
   "paths/bracket": "Way: a bracket out of its case",
   "paths/arm": "Way: an arm among posts",
   "curves/cam": "Curves: a cam and its follower",

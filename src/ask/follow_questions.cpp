@@ -42,7 +42,7 @@ namespace {
 
 Reply ask_follow(const Scene& scene, const GivenOptions& given) {
   const BodyId body = body_called(scene, given.text("body"));
-  const FollowOptions options{given.whole_number("instants"), given.touch(), given.limits()};
+  const FollowOptions options{static_cast<std::size_t>(given.whole_number("instants")), given.touch(), given.limits()};
   const std::vector<Lift> lifts =
       follow(scene, body, direction_of(given.number("direction_deg")), given.number("reach"), options);
   return {follow_json(scene, body, options, lifts)};

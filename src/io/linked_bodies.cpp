@@ -1,6 +1,7 @@
 #include "io/linked_bodies.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <variant>
 
 #include "io/json_text.hpp"
@@ -32,7 +33,25 @@ std::string parts_json(const Body& body) {
   return s + "]";
 }
 
-std::string single_motion_json(const JointMotion& motion) {
+/// The values of a link's joint, evenly over the range of the joint that drives it.
+std::string link_motion_json(const LinkMotion& link, int joint, const Joint& driven) {
+  constexpr int count = 513;
+  std::vector<double> values;
+  for (int k = 0; k < count; ++k) {
+    const double share = static_cast<double>(k) / (count - 1);
+    values.push_back(link.follows.sign * value_of_link(link, driven.lo + share * (driven.hi - driven.lo)));
+  }
+  const Point& d = link.follows.direction;
+  const double length = std::hypot(d.x, d.y);
+  return "{\"joint\":" + std::to_string(joint) + ",\"values\":" + array_text(values) +
+         (link.follows.slides ? ",\"direction\":" + coordinates({d.x / length, d.y / length})
+                              : ",\"pivot\":" + coordinates(link.pivot)) +
+         "}";
+}
+
+std::string single_motion_json(const Linkage& linkage, const JointMotion& motion) {
+  if (const auto* link = std::get_if<LinkMotion>(&motion.kind))
+    return link_motion_json(*link, motion.joint, linkage.joints[static_cast<std::size_t>(motion.joint)]);
   const auto* revolute = std::get_if<Revolute>(&motion.kind);
   return "{\"joint\":" + std::to_string(motion.joint) + ",\"times\":" + number_text(motion.times) +
          ",\"plus\":" + number_text(motion.plus) +
@@ -42,9 +61,10 @@ std::string single_motion_json(const JointMotion& motion) {
 }
 
 /// Revolutes and slides, the outermost first.
-std::string joint_motion_json(const JointMotion& motion) {
+std::string joint_motion_json(const Linkage& linkage, const JointMotion& motion) {
   std::string s = "[";
-  for (const JointMotion& single : single_motions(motion)) s += (s.size() > 1 ? "," : "") + single_motion_json(single);
+  for (const JointMotion& single : single_motions(motion))
+    s += (s.size() > 1 ? "," : "") + single_motion_json(linkage, single);
   return s + "]";
 }
 
@@ -55,7 +75,8 @@ std::string linked_body_text(const Linkage& linkage, std::size_t k) {
       std::find_if(bodies.begin(), bodies.end(), [&](const Body& body) { return body.name == bodies[k].relative_to; });
   if (!bodies[k].relative_to.empty() && parent != bodies.end())
     s += ",\"parent\":" + std::to_string(parent - bodies.begin());
-  if (k < linkage.motions.size() && linkage.motions[k]) s += ",\"motion\":" + joint_motion_json(*linkage.motions[k]);
+  if (k < linkage.motions.size() && linkage.motions[k])
+    s += ",\"motion\":" + joint_motion_json(linkage, *linkage.motions[k]);
   return s + "}";
 }
 

@@ -92,7 +92,7 @@ class EnvelopeViewer {
     const cell = this.cells.at(this.values);
     this.places.clear();
     this.data.bodies.forEach((body, k) => {
-      const { x, y, c, s } = placementOf(this.data.bodies, body, this.values);
+      const { x, y, c, s } = placementOf(this.data.bodies, body, this.values, this.joints);
       this.pictures[k]!.setAttribute("transform", `matrix(${c} ${s} ${-s} ${c} ${x} ${y})`);
       this.place(this.labels[k]!, body, { x, y, c, s });
       this.pictures[k]!.classList.toggle("meets", cell?.state === "colliding" && !!cell.pair?.includes(body.name));
@@ -196,7 +196,7 @@ class EnvelopeViewer {
         return range[0] + share * (range[1] - range[0]);
       });
       for (const body of this.data.bodies) {
-        const { x, y, c, s } = placementOf(this.data.bodies, body, values);
+        const { x, y, c, s } = placementOf(this.data.bodies, body, values, this.joints);
         for (const [u, v] of body.parts.flat(2)) {
           xs.push(x + c * u - s * v);
           ys.push(y + s * u + c * v);

@@ -18,8 +18,10 @@ export interface Joint {
 /** How a body follows a joint: by times * value + plus, in degrees about the pivot, or along the direction. */
 export interface JointMotion {
   joint: number;
-  times: number;
-  plus: number;
+  times?: number;
+  plus?: number;
+  /** Of a link of a mechanism, instead of times and plus: evenly over the joint's range. */
+  values?: number[];
   pivot?: [number, number];
   direction?: [number, number];
 }
@@ -69,8 +71,19 @@ function within(parent: Placement, child: Placement): Placement {
   };
 }
 
-function singlePlacement(motion: JointMotion, values: number[]): Placement {
-  const value = motion.times * values[motion.joint]! + motion.plus;
+/** By linear interpolation between the values of a table, and beyond its ends. */
+function followed(table: number[], value: number, [lo, hi]: [number, number]): number {
+  const last = table.length - 1;
+  const place = hi > lo ? ((value - lo) / (hi - lo)) * last : 0;
+  const k = Math.min(Math.max(Math.floor(place), 0), last - 1);
+  return table[k]! + (place - k) * (table[k + 1]! - table[k]!);
+}
+
+function singlePlacement(motion: JointMotion, values: number[], joints: Joint[]): Placement {
+  const driving = values[motion.joint]!;
+  const value = motion.values
+    ? followed(motion.values, driving, joints[motion.joint]!.range)
+    : (motion.times ?? 1) * driving + (motion.plus ?? 0);
   if (motion.direction) return { ...origin, x: motion.direction[0] * value, y: motion.direction[1] * value };
   const c = Math.cos((value * Math.PI) / 180);
   const s = Math.sin((value * Math.PI) / 180);
@@ -78,14 +91,14 @@ function singlePlacement(motion: JointMotion, values: number[]): Placement {
   return { x: px - c * px + s * py, y: py - s * px - c * py, c, s };
 }
 
-function ownPlacement(motion: JointMotion[] | undefined, values: number[]): Placement {
-  return (motion ?? []).reduce((outer, single) => within(outer, singlePlacement(single, values)), origin);
+function ownPlacement(motion: JointMotion[] | undefined, values: number[], joints: Joint[]): Placement {
+  return (motion ?? []).reduce((outer, single) => within(outer, singlePlacement(single, values, joints)), origin);
 }
 
 /** Where a body is for these joint values. */
-export function placementOf(bodies: LinkedBody[], body: LinkedBody, values: number[]): Placement {
-  const own = ownPlacement(body.motion, values);
-  return body.parent === undefined ? own : within(placementOf(bodies, bodies[body.parent]!, values), own);
+export function placementOf(bodies: LinkedBody[], body: LinkedBody, values: number[], joints: Joint[]): Placement {
+  const own = ownPlacement(body.motion, values, joints);
+  return body.parent === undefined ? own : within(placementOf(bodies, bodies[body.parent]!, values, joints), own);
 }
 
 /** Cells by a coarse grid over the first two joints, so that the one under the pointer is found at once. */

@@ -164,7 +164,7 @@ export class WayEditor implements Tool {
     const motion = problem.read.bodies[drag.body].motion!.find(({ joint }) => joint === k)!;
     let turn = this.angle(problem, drag.body, drag.end, x, y) - drag.from.angle;
     turn -= 2 * Math.PI * Math.round(turn / (2 * Math.PI));
-    let value = drag.from.value + (turn * 180) / Math.PI / motion.times;
+    let value = drag.from.value + (turn * 180) / Math.PI / (motion.times ?? 1);
     const period = range[1] - range[0];
     if (periodic) value -= period * Math.floor((value - range[0]) / period);
     return values.map((old, j) => (j === k ? Math.min(range[1], Math.max(range[0], Number(value.toFixed(3)))) : old));

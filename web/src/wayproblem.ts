@@ -103,7 +103,7 @@ export class WayProblem {
   }
 
   pose(body: number, values: number[]): Pose {
-    return placementOf(this.read.bodies, this.read.bodies[body], values);
+    return placementOf(this.read.bodies, this.read.bodies[body], values, this.read.joints);
   }
 
   /** The joint that turns a body which also goes anywhere; -1 if it has none. */

@@ -11,9 +11,9 @@ before(async () => (browser = await launch()));
 after(() => browser?.close());
 
 /** Opens the page of a linkage, which may ask for nothing else. */
-async function open(name, options = {}) {
+async function open(name, options = {}, scene = `examples/linkages/${name}.json`, ...more) {
   const file = join(artefacts, `envelope_${name}.html`);
-  run("envelope", `examples/linkages/${name}.json`, "--html", file);
+  run("envelope", scene, "--html", file, ...more);
   const page = await browser.newPage({ viewport: { width: 1200, height: 620 }, colorScheme: "light", ...options });
   page.problems = [];
   page.on("pageerror", (error) => page.problems.push(String(error)));
@@ -122,5 +122,22 @@ test("the page has names, a legend with shares, round ticks, and a look to choos
   assert.ok(shown.length >= 8 && new Set(shown).size >= 4, "bodies in several colours, and names");
   await alone.close();
   assert.deepEqual(page.problems, []);
+  await page.close();
+});
+
+test("links of a mechanism follow tables of their joints, which end where the drives do", async () => {
+  const page = await open("excavator", {}, "examples/paths/excavator.json", "--tolerance", "0.2");
+  const table = await page.evaluate(() => window.envelope.data.bodies.flatMap(({ motion }) => motion ?? []));
+  assert.equal(table.length, 9);
+  // Each table begins and ends with what the mechanism does over the range.
+  const problem = JSON.parse(readFileSync(join(root, "examples/paths/excavator.json"), "utf8"));
+  const elbow = table.find(({ joint, pivot }) => joint === 1 && pivot);
+  assert.deepEqual([elbow.values[0], elbow.values.at(-1)], problem.mechanism.drive.elbow);
+  await page.evaluate(() => {
+    window.envelope.values.splice(0, 3, -2.5, -20, 4);
+    window.envelope.show();
+  });
+  assert.deepEqual(page.problems, []);
+  await screenshot(page, "envelope-mechanism");
   await page.close();
 });

@@ -275,3 +275,24 @@ test("what is exactly tight is undecided, and the place is marked", async () => 
   assert.deepEqual(page.problems, []);
   await page.close();
 });
+
+test("a way of an excavator, whose bucket is dragged through its loops", async () => {
+  const page = await open();
+  await example(page, "excavator");
+  assert.match(await headline(page), /way/i);
+  const moved = await page.evaluate(() => {
+    const { problem } = window.playground.ways;
+    const bucket = problem.read.bodies.findIndex(({ name }) => name === "bucket");
+    const at = (values) => {
+      const { x, y, c, s } = problem.pose(bucket, values);
+      return [x + c * 105 - s * 19, y + s * 105 + c * 19];
+    };
+    const [x, y] = at(problem.start);
+    const to = [x - 3, y + 4];
+    const reached = at(problem.reaching(bucket, [105, 19], to, problem.start));
+    return Math.hypot(reached[0] - to[0], reached[1] - to[1]);
+  });
+  assert.ok(moved < 0.1, String(moved));
+  await screenshot(page, "way-excavator");
+  await page.close();
+});
