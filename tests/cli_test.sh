@@ -213,7 +213,7 @@ expect 0 '"vertex":{"body":"cam","index":2}' '' follow valve.json --body plate -
 sed 's/\[-3, 1\], \[3, 1\], \[3, 1.5\], \[-3, 1.5\]/[-3, 3], [3, 3], [3, 4], [-3, 4]/' valve.json >above.json
 expect 0 '^NOT LIFTED  plate' '' follow above.json --body plate --reach 2
 [ "$(wc -l <lift.csv)" -eq 361 ] || { echo "FAILED: the table of follow"; failures=$((failures + 1)); }
-expect 2 '' 'give a height at which it is free at all times' follow valve.json --body plate --reach 0.1
+expect 2 '' 'give a lift at which it is free at all times' follow valve.json --body plate --reach 0.1
 expect 2 '' 'instants: they are not' follow valve.json --body plate --reach 2 --instants 0
 expect 2 '' '--body: there is no body "late"' follow valve.json --body late --reach 2
 expect 2 '' '--reach' follow valve.json --body plate

@@ -25,18 +25,21 @@ struct FollowArguments {
   bool json = false;
 };
 
-std::string in_words(const Scene& scene, BodyId body, const FollowOptions& options, const std::vector<Lift>& lifts) {
+std::string in_words(const Scene& scene, BodyId body, const FollowOptions& options, const FollowAnswer& answer) {
   const std::string& name = scene.bodies[static_cast<std::size_t>(body)].name;
+  const std::vector<Lift>& lifts = answer.lifts;
+  const std::string grounds = grounds_text(scene, answer.coverage);
   if (lifts.empty())
-    return fmt::format("NOT LIFTED  {}   on [{}, {}]\n  at {} instants nothing reaches up to where it is drawn\n", name,
-                       scene.start, scene.end, options.instants);
+    return fmt::format("NOT LIFTED  {}   on [{}, {}]\n", name, scene.start, scene.end) + grounds +
+           fmt::format("  at {} instants nothing reaches up to where it is drawn\n", options.instants);
   const auto [low, high] =
       std::minmax_element(lifts.begin(), lifts.end(), [](const Lift& a, const Lift& b) { return a.lift < b.lift; });
   const auto extreme = [](const Lift& at) { return fmt::format("{:.10g} at t = {:.10g}", at.lift[0], at.time.lo); };
   double widest = 0;
   for (const Lift& at : lifts) widest = std::max(widest, at.lift[1] - at.lift[0]);
-  return fmt::format("LIFTED  {}   on [{}, {}]\n  at {} of {} instants, from {} to {}\n  known to {:.3g}\n", name,
-                     scene.start, scene.end, lifts.size(), options.instants, extreme(*low), extreme(*high), widest);
+  return fmt::format("LIFTED  {}   on [{}, {}]\n", name, scene.start, scene.end) + grounds +
+         fmt::format("  at {} of {} instants, from {} to {}\n  known to {:.3g}\n", lifts.size(), options.instants,
+                     extreme(*low), extreme(*high), widest);
 }
 
 int run_follow(const FollowArguments& arguments) {
@@ -44,13 +47,14 @@ int run_follow(const FollowArguments& arguments) {
   FollowOptions options = arguments.options;
   options.limits.stop = stop_on_signals();
   const BodyId body = chosen_body(scene, arguments.body);
-  const std::vector<Lift> lifts = watched(scene, arguments.scene.path, [&] {
+  const FollowAnswer answer = watched(scene, arguments.scene.path, [&] {
     return follow(scene, body, direction_of(arguments.direction), arguments.reach, options);
   });
-  if (!arguments.csv.empty()) write_output(arguments.csv, follow_csv(lifts));
+  if (!arguments.csv.empty()) write_output(arguments.csv, follow_csv(answer));
   // What goes to standard output is one thing.
   if (arguments.csv == "-") return exit_free;
-  print_text(arguments.json ? follow_json(scene, body, options, lifts) + "\n" : in_words(scene, body, options, lifts));
+  print_text(arguments.json ? follow_json(scene, body, options, answer) + "\n"
+                            : in_words(scene, body, options, answer));
   return exit_free;
 }
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import Optional
 
 from ._numbers import number
-from .answers import EdgeRef, VertexRef
+from .answers import Coverage, EdgeRef, VertexRef
 from .options import ask, scene_text
 from .scene import Scene, _plain_places
 from .words import Touch
@@ -29,24 +29,24 @@ class Lift:
 @dataclass(frozen=True)
 class FollowAnswer:
     """The lifts of ``body`` in order of time. Of ``instants``, those are left out at which nothing reaches up to where the
-    scene has the follower: there the lift is 0 or less. ``json`` is what ``taut follow --json`` prints."""
+    scene has the follower: there the lift is 0 or less. ``coverage``: of pairs with the follower. ``json`` is what ``taut follow --json`` prints."""
 
     body: str
     instants: int
     lifts: tuple[Lift, ...]
+    coverage: Coverage
     json: str = field(repr=False, compare=False)
 
 
 def follow(scene: Scene, body: str, reach: float, *, direction_deg: float = 90, instants: int = 360,
            touch: Touch = "open", max_seconds: Optional[float] = None) -> FollowAnswer:
-    """The lift of a follower, whose motion in the scene means nothing but for its place at the start, at about so many
-    ``instants``.
+    """The lift of a follower, which has no motion of its own, at about so many ``instants``.
 
     In each of as many equal stretches of the scene's time it comes down evenly, from the lift ``reach`` to 0, and where it
     meets another body is an instant and a lift: both enclosed, for the motions as they are given. ``direction_deg``: along
     which it is lifted, counterclockwise from the x axis. Assumes that a spring presses the follower onto the cam at all
     times. What touches only between two instants is not seen. InputError if the scene is not valid, there is no such body,
-    or it does not clear the others at ``reach``; UndecidedError after ``max_seconds``.
+    it does not clear the others at ``reach``, or no pair with it is tested; UndecidedError after ``max_seconds``.
     """
     with _plain_places():
         text, _, _ = ask("follow", scene_text(scene), body=body, reach=number(reach, "reach"),
@@ -55,4 +55,4 @@ def follow(scene: Scene, body: str, reach: float, *, direction_deg: float = 90, 
     value = json.loads(text)
     lifts = tuple(Lift((at["t"][0], at["t"][1]), (at["lift"][0], at["lift"][1]), VertexRef(**at["vertex"]),
                        EdgeRef(**at["edge"])) for at in value["lifts"])
-    return FollowAnswer(value["body"], value["instants"], lifts, text)
+    return FollowAnswer(value["body"], value["instants"], lifts, Coverage(**value["coverage"]), text)

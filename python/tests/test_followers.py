@@ -16,6 +16,7 @@ def test_a_plate_on_a_square():
     scene = taut2d.Scene([cam, taut2d.Body("plate", PLATE)], (0, 1))
     found = taut2d.follow(scene, "plate", 2, instants=50)
     assert (found.body, found.instants, len(found.lifts)) == ("plate", 50, 50)
+    assert (found.coverage.pairs, found.coverage.tested) == (1, 1)
     for at in found.lifts:
         top = math.sqrt(2) * math.cos(math.pi / 2 * at.t[0] - math.pi / 4) - 1
         assert at.lift[0] - 1e-12 <= top <= at.lift[1] + 1e-12

@@ -8,12 +8,11 @@
 namespace taut {
 using namespace internal;
 
-std::string follow_json(const Scene& scene, BodyId follower, const FollowOptions& options,
-                        const std::vector<Lift>& lifts) {
+std::string follow_json(const Scene& scene, BodyId follower, const FollowOptions& options, const FollowAnswer& answer) {
   return io::answer_text(scene, [&](io::AnswerWriter& json) {
     json.member("body", json.body(follower).name);
     json.member("instants", static_cast<std::uint64_t>(options.instants));
-    json.key("lifts").array(lifts, [&](const Lift& lift) {
+    json.key("lifts").array(answer.lifts, [&](const Lift& lift) {
       json.object([&] {
         json.key("t").numbers({lift.time.lo, lift.time.hi});
         json.key("lift").numbers({lift.lift[0], lift.lift[1]});
@@ -21,13 +20,14 @@ std::string follow_json(const Scene& scene, BodyId follower, const FollowOptions
         json.edge("edge", lift.edge);
       });
     });
+    json.grounds(answer.geometry, answer.coverage);
     json.scope(options.touch);
   });
 }
 
-std::string follow_csv(const std::vector<Lift>& lifts) {
+std::string follow_csv(const FollowAnswer& answer) {
   std::string text = "t_lo,t_hi,lift_lo,lift_hi\n";
-  for (const Lift& at : lifts) {
+  for (const Lift& at : answer.lifts) {
     const double row[] = {at.time.lo, at.time.hi, at.lift[0], at.lift[1]};
     for (std::size_t k = 0; k < std::size(row); ++k) text += (k > 0 ? "," : "") + io::number_text(row[k]);
     text += "\n";
@@ -43,9 +43,9 @@ namespace {
 Reply ask_follow(const Scene& scene, const GivenOptions& given) {
   const BodyId body = body_called(scene, given.text("body"));
   const FollowOptions options{static_cast<std::size_t>(given.whole_number("instants")), given.touch(), given.limits()};
-  const std::vector<Lift> lifts =
+  const FollowAnswer answer =
       follow(scene, body, direction_of(given.number("direction_deg")), given.number("reach"), options);
-  return {follow_json(scene, body, options, lifts)};
+  return {follow_json(scene, body, options, answer)};
 }
 
 }  // namespace

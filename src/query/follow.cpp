@@ -10,7 +10,6 @@
 #include "numeric/progress.hpp"
 #include "solver/run.hpp"
 #include "taut/error.hpp"
-#include "taut/pose.hpp"
 
 namespace taut {
 using namespace internal;
@@ -34,67 +33,82 @@ void check_follower(const Scene& scene, BodyId follower, double reach, std::size
   if (follower < 0 || follower >= count)
     throw InputError("follower", "there is no body " + std::to_string(follower),
                      "bodies are 0 to " + std::to_string(count - 1));
+  const Body& body = scene.bodies[static_cast<std::size_t>(follower)];
+  if (!body.motion.pieces.empty())
+    throw InputError("follower", "\"" + body.name + "\" has a motion of its own",
+                     "leave it out: the cam moves it; draw it where its lift is 0");
   if (instants < 1 || instants > 1000000)
     throw InputError("instants", "they are not 1 to 1000000", "360, for instance");
-  if (!(reach > 0)) throw InputError("reach", "it is not positive", "give a height at which the follower is free");
+  if (!(reach > 0 && std::isfinite(reach)))
+    throw InputError("reach", "it is not a positive number", "give a lift at which the follower is free");
+}
+
+/// The other pairs, all of which are ignored, are no part of the question.
+Coverage of_follower(const Coverage& all, std::size_t bodies) {
+  Coverage own = all;
+  own.pairs = bodies - 1;
+  own.ignored -= all.pairs - own.pairs;
+  return own;
 }
 
 /// Of length 1 to a rounding or two, for which heights have room.
 Point unit_vector(const Point& d) {
-  const double length = std::hypot(d.x, d.y);
+  const double length = std::sqrt(d.x * d.x + d.y * d.y);
   if (!(length > 0) || !std::isfinite(length))
     throw InputError("direction", "it is no direction", "give a vector that is not (0, 0)");
   return {d.x / length, d.y / length};
 }
 
-/// The height at an instant of the way down, with room for rounding, here and in the way itself.
-std::array<double, 2> height(double reach, double from, double speed, const TimeInterval& time, const Point& place) {
-  const double room = 0x1p-50 * (reach + std::fabs(place.x) + std::fabs(place.y));
+/// The lift at an instant of the way down, with room for rounding, here and in the way itself.
+std::array<double, 2> lift_at(double reach, double from, double speed, const TimeInterval& time) {
+  const double room = 0x1p-50 * reach;
   return {reach - speed * (time.hi - from) - room, reach - speed * (time.lo - from) + room};
 }
 
 }  // namespace
 
-std::vector<Lift> follow(const Scene& scene, BodyId follower, Point along, double reach, const FollowOptions& given) {
+FollowAnswer follow(const Scene& scene, BodyId follower, Point along, double reach, const FollowOptions& given) {
   check_follower(scene, follower, reach, given.instants);
   const Point direction = unit_vector(along);
-  const std::size_t instants = given.instants;
   const auto began = std::chrono::steady_clock::now();
   Scene drop = coming_down(scene, follower);
-  Body& body = drop.bodies[static_cast<std::size_t>(follower)];
-  const BodyPose at = pose_at(body.motion, scene.start);
   CheckOptions options;
   options.touch = given.touch;
   options.limits = given.limits;
   options.tell_touching = false;
-  std::vector<Lift> lifts;
+  FollowAnswer answer;
   const auto boundary = [&](std::size_t k) {
-    return k == instants
-               ? scene.end
-               : scene.start + (scene.end - scene.start) * static_cast<double>(k) / static_cast<double>(instants);
+    const double share = static_cast<double>(k) / static_cast<double>(given.instants);
+    return k == given.instants ? scene.end : scene.start + (scene.end - scene.start) * share;
   };
-  for (std::size_t k = 0; k < instants; ++k) {
+  for (std::size_t k = 0; k < given.instants; ++k) {
     drop.start = boundary(k);
     drop.end = boundary(k + 1);
     const double speed = reach / (drop.end - drop.start);
     MotionPiece piece;
     piece.origin = drop.start;
-    piece.x = {at.origin.x + reach * direction.x, -speed * direction.x};
-    piece.y = {at.origin.y + reach * direction.y, -speed * direction.y};
-    if (at.axis.x != 1 || at.axis.y != 0) piece.rotation = AngleRotation{{std::atan2(at.axis.y, at.axis.x)}};
-    body.motion = {{piece}};
-    report_parts("instants", k, instants);
+    piece.x = {reach * direction.x, -speed * direction.x};
+    piece.y = {reach * direction.y, -speed * direction.y};
+    drop.bodies[static_cast<std::size_t>(follower)].motion = {{piece}};
+    report_parts("instants", k, given.instants);
     options.limits.max_seconds = time_left(given.limits.max_seconds, began);
-    const Answer answer = check(drop, options);
-    if (answer.outcome == Outcome::undecided) throw UndecidedError(answer.reason);
-    if (answer.outcome == Outcome::overlap_at_start)
+    const Answer down = check(drop, options);
+    if (down.outcome == Outcome::untested)
+      throw InputError("follower", "nothing was tested: no pair of bodies with it is asked about",
+                       "see \"ignore\", and the bodies' layers");
+    if (down.outcome == Outcome::undecided) throw UndecidedError(down.reason);
+    if (down.outcome == Outcome::overlap_at_start)
       throw InputError("reach", fmt::format("at t = {}, the follower overlaps another body there", drop.start),
-                       "give a height at which it is free at all times");
-    if (!answer.contact) continue;
-    lifts.push_back({answer.contact->time, height(reach, drop.start, speed, answer.contact->time, at.origin),
-                     answer.contact->vertex, answer.contact->edge});
+                       "give a lift at which it is free at all times");
+    const Coverage own = of_follower(down.coverage, scene.bodies.size());
+    if (own.tested >= answer.coverage.tested) answer.coverage = own;
+    if (down.geometry && (!answer.geometry || down.geometry->tolerance > answer.geometry->tolerance))
+      answer.geometry = down.geometry;
+    if (!down.contact) continue;
+    answer.lifts.push_back({down.contact->time, lift_at(reach, drop.start, speed, down.contact->time),
+                            down.contact->vertex, down.contact->edge});
   }
-  return lifts;
+  return answer;
 }
 
 Point direction_of(double degrees) {

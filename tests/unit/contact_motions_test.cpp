@@ -98,7 +98,10 @@ TEST(ContactMotions, AFollowerLiesOnACam) {
   Scene scene;
   scene.end = 1;
   scene.bodies = {{"cam", rectangle(-1, -1, 2, 2), from_velocity({0, 0}, 90)}, {"plate", rectangle(-3, 1, 6, 0.5), {}}};
-  const std::vector<Lift> lifts = follow(scene, 1, {0, 3}, 2, {100});
+  const FollowAnswer answer = follow(scene, 1, {0, 3}, 2, {100});
+  const std::vector<Lift>& lifts = answer.lifts;
+  EXPECT_EQ(answer.coverage.pairs, 1U);
+  EXPECT_EQ(answer.coverage.tested, 1U);
   ASSERT_EQ(lifts.size(), 100u);
   for (const Lift& lift : lifts) {
     const double angle = std::numbers::pi / 2 * lift.time.lo;
@@ -112,6 +115,18 @@ TEST(ContactMotions, AFollowerLiesOnACam) {
   }
   EXPECT_THROW(follow(scene, 1, {0, 1}, 0.2, {10}), InputError);
   EXPECT_THROW(follow(scene, 2, {0, 1}, 1, {10}), InputError);
+  EXPECT_THROW(follow(scene, 0, {0, 1}, 9, {10}), InputError);
+  // Two more bodies, of which one is ignored: it is said, and of nothing else nothing is.
+  scene.bodies.push_back({"lid", rectangle(-3, 9, 6, 0.5), {}});
+  scene.bodies.push_back({"pin", rectangle(-3, 1.1, 1, 0.1), {}});
+  scene.ignore = {{"plate", "pin"}};
+  const Coverage coverage = follow(scene, 1, {0, 1}, 2, {10}).coverage;
+  EXPECT_EQ(coverage.pairs, 3U);
+  EXPECT_EQ(coverage.ignored, 1U);
+  EXPECT_EQ(coverage.tested, 1U);
+  EXPECT_EQ(coverage.apart, 1U);
+  scene.ignore = {{"plate", "*"}};
+  EXPECT_THROW(follow(scene, 1, {0, 1}, 2, {10}), InputError);
 }
 
 }  // namespace

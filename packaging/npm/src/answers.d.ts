@@ -471,6 +471,9 @@ export interface FollowAnswer {
   body: string;
   instants: number;
   lifts: { t: [number, number]; lift: [number, number]; vertex: Feature; edge: Feature }[];
+  geometry?: { tolerance: number; segments: number };
+  /** Of pairs with the follower. */
+  coverage: Coverage;
   scope: { time: [number, number]; touch: Touch };
 }
 
