@@ -37,8 +37,11 @@ struct FollowAnswer {
 /// The lift of a follower, which has no motion of its own, at about so many instants. In each of as many equal
 /// stretches of the scene's time it comes down evenly, from `reach` to 0 along the direction, which may have any length
 /// but 0 and is seen from its parent if it has one, and where it meets another body is an instant and a lift: both
-/// enclosed, for the motions as they are given. Where it meets none there is no entry: the lift is 0 or less. Assumes
-/// that a spring presses the follower onto the cam at all times. What touches only between two instants is not seen.
+/// enclosed, for the motions as they are given. Where it meets none there is no entry: at the end of that stretch the
+/// lift is 0 or less. Each time it is also proved that nothing stood in its way from `reach`
+/// down to there at that instant, up to rounding; what passes over it while it comes down is met later in the stretch.
+/// Assumes that a spring presses the follower onto the cam at all times. What touches only between two instants is not
+/// seen.
 ///
 /// Throws InputError, also where the follower does not clear the others at `reach`, or no pair with it is tested;
 /// UndecidedError.

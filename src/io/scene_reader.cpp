@@ -114,8 +114,10 @@ class SceneReader {
   JsonObject read_joints_and_bodies(PathProblem& problem) const {
     refuse_geojson();
     if (document_.at(0).kind() == JsonKind::object && io::has_member(document_, 0, "time"))
-      throw document_.error(0, "", "the scene has a time instead of joints",
-                            "ask `taut check` about it, or write \"joints\": {\"lift\": [0, 60]} instead of \"time\"");
+      throw document_.error(
+          0, "", "the scene has a time instead of joints",
+          "ask `taut check` about it, or leave \"time\" out and write \"joints\": {\"lift\": [0, 60]}, or "
+          "ranges of a mechanism's drives, \"drive\": {\"A\": [0, 90]}");
     // "periodic", "start" and "goal" are part of one question; the others pass over them.
     JsonObject root(
         document_, 0, "",

@@ -10,6 +10,7 @@
 #include "numeric/progress.hpp"
 #include "solver/run.hpp"
 #include "taut/error.hpp"
+#include "taut/pose.hpp"
 
 namespace taut {
 using namespace internal;
@@ -59,56 +60,162 @@ Point unit_vector(const Point& d) {
   return {d.x / length, d.y / length};
 }
 
-/// The lift at an instant of the way down, with room for rounding, here and in the way itself.
-std::array<double, 2> lift_at(double reach, double from, double speed, const TimeInterval& time) {
-  const double room = 0x1p-50 * reach;
-  return {reach - speed * (time.hi - from) - room, reach - speed * (time.lo - from) + room};
+/// The largest coordinate of polygons and places, about.
+double extent_of(const Scene& scene, const std::vector<BodyPose>& poses) {
+  double largest = 0;
+  const auto include = [&largest](const Point& p) { largest = std::max({largest, std::fabs(p.x), std::fabs(p.y)}); };
+  for (const BodyPose& pose : poses) include(pose.origin);
+  for (const Body& body : scene.bodies) {
+    std::for_each(body.polygon.begin(), body.polygon.end(), include);
+    for (const Part& part : body.parts) std::for_each(part.outline.begin(), part.outline.end(), include);
+  }
+  return largest;
 }
 
-}  // namespace
+class FollowerSearch {
+ public:
+  FollowerSearch(const Scene& scene, BodyId follower, const Point& direction, double reach, const FollowOptions& given)
+      : scene_(scene),
+        drop_(coming_down(scene, follower)),
+        follower_(static_cast<std::size_t>(follower)),
+        direction_(direction),
+        reach_(reach),
+        given_(given) {}
 
-FollowAnswer follow(const Scene& scene, BodyId follower, Point along, double reach, const FollowOptions& given) {
-  check_follower(scene, follower, reach, given.instants);
-  const Point direction = unit_vector(along);
-  const auto began = std::chrono::steady_clock::now();
-  Scene drop = coming_down(scene, follower);
-  CheckOptions options;
-  options.touch = given.touch;
-  options.limits = given.limits;
-  options.tell_touching = false;
-  FollowAnswer answer;
-  const auto boundary = [&](std::size_t k) {
-    const double share = static_cast<double>(k) / static_cast<double>(given.instants);
-    return k == given.instants ? scene.end : scene.start + (scene.end - scene.start) * share;
-  };
-  for (std::size_t k = 0; k < given.instants; ++k) {
-    drop.start = boundary(k);
-    drop.end = boundary(k + 1);
-    const double speed = reach / (drop.end - drop.start);
-    MotionPiece piece;
-    piece.origin = drop.start;
-    piece.x = {reach * direction.x, -speed * direction.x};
-    piece.y = {reach * direction.y, -speed * direction.y};
-    drop.bodies[static_cast<std::size_t>(follower)].motion = {{piece}};
-    report_parts("instants", k, given.instants);
-    options.limits.max_seconds = time_left(given.limits.max_seconds, began);
-    const Answer down = check(drop, options);
+  FollowAnswer run() {
+    for (std::size_t k = 0; k < given_.instants; ++k) {
+      report_parts("instants", k, given_.instants);
+      search(boundary(k), boundary(k + 1));
+    }
+    return std::move(answer_);
+  }
+
+ private:
+  double boundary(std::size_t k) const {
+    const double share = static_cast<double>(k) / static_cast<double>(given_.instants);
+    return k == given_.instants ? scene_.end : scene_.start + (scene_.end - scene_.start) * share;
+  }
+
+  Answer asked(const Scene& scene) const {
+    CheckOptions options;
+    options.touch = given_.touch;
+    options.limits = given_.limits;
+    options.limits.max_seconds = time_left(given_.limits.max_seconds, began_);
+    options.tell_touching = false;
+    Answer answer = check(scene, options);
+    if (answer.outcome == Outcome::undecided) throw UndecidedError(answer.reason);
+    return answer;
+  }
+
+  /// Comes down between the two instants. What passes over the follower meanwhile is met by one that comes down later,
+  /// and faster.
+  void search(double start, double end) {
+    constexpr int most_tries = 8;
+    constexpr double shorter = 0x1p-4;
+    double share = 1;
+    for (int tries = 0; tries < most_tries; ++tries, share *= shorter) {
+      if (come_down(tries == 0 ? start : end - (end - start) * share, end)) return;
+    }
+    throw UndecidedError(fmt::format("near t = {}, something is above the follower wherever it comes down", end));
+  }
+
+  /// False if something is above it when it has come down.
+  bool come_down(double start, double end) {
+    drop_.start = start;
+    drop_.end = end;
+    const double speed = reach_ / (end - start);
+    MotionPiece& piece = drop_.bodies[follower_].motion.pieces.emplace_back();
+    piece.origin = start;
+    piece.x = {reach_ * direction_.x, -speed * direction_.x};
+    piece.y = {reach_ * direction_.y, -speed * direction_.y};
+    const Answer down = asked(drop_);
+    drop_.bodies[follower_].motion.pieces.clear();
     if (down.outcome == Outcome::untested)
       throw InputError("follower", "nothing was tested: no pair of bodies with it is asked about",
                        "see \"ignore\", and the bodies' layers");
-    if (down.outcome == Outcome::undecided) throw UndecidedError(down.reason);
     if (down.outcome == Outcome::overlap_at_start)
-      throw InputError("reach", fmt::format("at t = {}, the follower overlaps another body there", drop.start),
+      throw InputError("reach", fmt::format("at t = {}, the follower overlaps another body there", start),
                        "give a lift at which it is free at all times");
-    const Coverage own = of_follower(down.coverage, scene.bodies.size());
-    if (own.tested >= answer.coverage.tested) answer.coverage = own;
-    if (down.geometry && (!answer.geometry || down.geometry->tolerance > answer.geometry->tolerance))
-      answer.geometry = down.geometry;
-    if (!down.contact) continue;
-    answer.lifts.push_back({down.contact->time, lift_at(reach, drop.start, speed, down.contact->time),
-                            down.contact->vertex, down.contact->edge});
+    if (!down.contact) {
+      if (!is_clear_above({0, 0}, end)) return false;
+    } else {
+      const TimeInterval& time = down.contact->time;
+      // With room for rounding, here and in the way itself.
+      const double room = 0x1p-50 * reach_;
+      const std::array<double, 2> lift{reach_ - speed * (time.hi - start) - room,
+                                       reach_ - speed * (time.lo - start) + room};
+      if (!rests_on(*down.contact) || !is_clear_above(lift, time.lo)) return false;
+      answer_.lifts.push_back({time, lift, down.contact->vertex, down.contact->edge});
+    }
+    note(down);
+    return true;
   }
-  return answer;
+
+  /// Is what it meets below it, and not beside it, or above it?
+  bool rests_on(const Contact& contact) const {
+    constexpr double least = 0x1p-20;
+    const Point along = turned(poses_at(scene_, contact.time.lo)[follower_]);
+    const double up = contact.normal.x * along.x + contact.normal.y * along.y;
+    return (static_cast<std::size_t>(contact.edge.body) == follower_ ? -up : up) > least;
+  }
+
+  /// The direction, which its parent sees, in the world.
+  Point turned(const BodyPose& at) const {
+    return {at.axis.x * direction_.x - at.axis.y * direction_.y, at.axis.y * direction_.x + at.axis.x * direction_.y};
+  }
+
+  /// Is there room for the follower from `reach` down to shortly above the lift, while all else is held where it is at
+  /// that instant, up to rounding?
+  bool is_clear_above(const std::array<double, 2>& lift, double t) const {
+    const std::vector<BodyPose> poses = poses_at(scene_, t);
+    const double above = lift[1] + 4 * (lift[1] - lift[0]) + 0x1p-36 * (reach_ + extent_of(scene_, poses));
+    if (!(above < reach_)) return true;
+    Scene still = drop_;
+    still.mechanism.reset();
+    still.assembly.reset();
+    still.lock.reset();
+    still.start = 0;
+    still.end = 1;
+    for (std::size_t i = 0; i < still.bodies.size(); ++i) hold(still.bodies[i], poses[i], i == follower_ ? above : 0);
+    const Outcome outcome = asked(still).outcome;
+    return outcome == Outcome::free || outcome == Outcome::untested;
+  }
+
+  /// The body rests where it is, or comes down from `reach` to the lift `above`.
+  void hold(Body& body, const BodyPose& at, double above) const {
+    body.relative_to.clear();
+    body.motion = {};
+    if (above == 0 && at.origin == Point{0, 0} && at.axis == Point{1, 0}) return;
+    const Point along = turned(at);
+    MotionPiece& piece = body.motion.pieces.emplace_back();
+    const double from = above > 0 ? reach_ : 0, way = above > 0 ? reach_ - above : 0;
+    piece.x = {at.origin.x + from * along.x, -way * along.x};
+    piece.y = {at.origin.y + from * along.y, -way * along.y};
+    if (!(at.axis == Point{1, 0})) piece.rotation = AngleRotation{{std::atan2(at.axis.y, at.axis.x)}};
+  }
+
+  void note(const Answer& down) {
+    const Coverage own = of_follower(down.coverage, scene_.bodies.size());
+    if (own.tested >= answer_.coverage.tested) answer_.coverage = own;
+    if (down.geometry && (!answer_.geometry || down.geometry->tolerance > answer_.geometry->tolerance))
+      answer_.geometry = down.geometry;
+  }
+
+  const Scene& scene_;
+  Scene drop_;
+  std::size_t follower_;
+  Point direction_;
+  double reach_;
+  const FollowOptions& given_;
+  std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
+  FollowAnswer answer_;
+};
+
+}  // namespace
+
+FollowAnswer follow(const Scene& scene, BodyId follower, Point direction, double reach, const FollowOptions& options) {
+  check_follower(scene, follower, reach, options.instants);
+  return FollowerSearch(scene, follower, unit_vector(direction), reach, options).run();
 }
 
 Point direction_of(double degrees) {

@@ -19,12 +19,15 @@ void validate_period(const PathProblem& problem, std::size_t joint) {
     if (!problem.linkage.motions[i]) continue;
     for (const JointMotion& motion : single_motions(*problem.linkage.motions[i])) {
       if (static_cast<std::size_t>(motion.joint) != joint) continue;
+      if (std::holds_alternative<LinkMotion>(motion.kind))
+        throw InputError("periodic." + j.name, "it drives a mechanism, which is not known to come back to where it was",
+                         "leave it out of \"periodic\"");
       const double turns = motion.times * (j.hi - j.lo) / 360;
       if (std::holds_alternative<Revolute>(motion.kind) && turns == std::floor(turns) && turns != 0) continue;
-      throw InputError("periodic." + j.name,
-                       "over its range, body \"" + problem.linkage.scene.bodies[i].name +
-                           "\" does not come back to where it was, or is not known to",
-                       "give the joint a range of 360 degrees, or leave it out of \"periodic\"");
+      throw InputError(
+          "periodic." + j.name,
+          "over its range, body \"" + problem.linkage.scene.bodies[i].name + "\" does not come back to where it was",
+          "give the joint a range of 360 degrees, or leave it out of \"periodic\"");
     }
   }
 }

@@ -99,7 +99,7 @@ class Walk {
     return true;
   }
   /// At an instant of it. Windows have a length: this one begins with the instant, or ends with the segment. Where the
-  /// motion is singular, it moves the less the shorter the window is.
+  /// motion is singular, it moves the less the shorter the window is. A segment may be an instant itself.
   void at(double t) {
     if (segment_.translation) return through(t, t);
     const double whole = segment_.end - segment_.start;
@@ -107,7 +107,7 @@ class Walk {
       window_.emplace(segment_, t < segment_.end ? t : std::max(segment_.start, segment_.end - some), segment_.end,
                       some);
       while (window_->end() < t) window_.emplace(segment_, window_->end(), segment_.end, window_->fitting_length());
-      if (window_->smooth() || some < whole * shortest_instant) break;
+      if (window_->smooth() || !(some > whole * shortest_instant)) break;
     }
     begin_at_root(t, t);
     work_off(Slice());

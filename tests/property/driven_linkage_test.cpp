@@ -10,6 +10,7 @@
 #include "support/closed_linkage.hpp"
 #include "support/effort.hpp"
 #include "taut/check.hpp"
+#include "taut/clearance.hpp"
 #include "taut/error.hpp"
 #include "taut/intervals.hpp"
 #include "taut/io.hpp"
@@ -245,10 +246,38 @@ TEST(DrivenLinkage, NamesWhatIsWrong) {
     "E":{"revolute":["base","d"],"at":[13,0]}},
    "drive":{"A":[0,9],"E":[0,9]}}})",
                  "in one loop, which is not a function of one of them");
+  try {
+    const PathProblem problem =
+        parse_path_problem(crank_problem(R"({"A":[0,360]})", R"(,"periodic":["A"],"start":{"A":10},"goal":{"A":20})"));
+    find_path(problem);
+    ADD_FAILURE() << "a drive with a period";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("it drives a mechanism"), std::string::npos) << error.what();
+  }
   Linkage bare;
   bare.joints = {taut::Joint{"A", 0, 1}};
   bare.scene = parse_linkage(crank_problem(R"({"A":[0,90]})")).scene;
   EXPECT_THROW(envelope(bare), InputError);
+}
+
+/// A scene of one instant at which a mechanism is not as drawn: distances once were searched for without end there.
+TEST(DrivenLinkage, DistancesOfHeldDrives) {
+  const Linkage linkage = read_linkage("examples/paths/excavator.json");
+  for (const JointValues& values : {JointValues{-2.5, -20, 4}, JointValues{4, 15, -2}}) {
+    const Scene exact = held_at(linkage, values);
+    const NearestPoints nearest = clearance(exact).nearest.value();
+    const double shown = clearance(posed(linkage, values)).nearest.value().hi;
+    EXPECT_NEAR(nearest.hi, shown, 1e-6 * shown);
+    EXPECT_LE(nearest.lo, shown * (1 + 1e-9));
+    EXPECT_EQ(check_clearance(exact, 0.99 * shown).outcome, Outcome::free);
+    EXPECT_EQ(check_clearance(exact, 1.01 * shown).outcome, Outcome::closer_at_start);
+  }
+  PathOptions apart;
+  apart.clearance = 0.5;
+  const PathProblem problem = read_path_problem("examples/paths/excavator.json");
+  const PathAnswer found = find_path(problem, apart);
+  ASSERT_EQ(found.outcome, PathOutcome::path) << found.reason;
+  EXPECT_EQ(check_clearance(path_scene(problem, found.waypoints), 0.5).outcome, Outcome::free);
 }
 
 /// A joint whose range is one value is held there.

@@ -129,5 +129,23 @@ TEST(ContactMotions, AFollowerLiesOnACam) {
   EXPECT_THROW(follow(scene, 1, {0, 1}, 2, {10}), InputError);
 }
 
+/// A bar comes in over the follower while it comes down: what lies on it then is not below the bar.
+TEST(ContactMotions, AFollowerLiesOnWhatPassesOverIt) {
+  Scene scene;
+  scene.end = 10;
+  scene.bodies = {{"bar", {{-30, 3}, {-20, 3}, {-16, 6}, {-16, 7}, {-30, 7}}, from_velocity({3, 0})},
+                  {"square", rectangle(0, 0, 1, 1), {}}};
+  for (const double reach : {7.5, 8.0, 9.0}) {
+    for (const std::size_t instants : {1U, 7U, 40U}) {
+      for (const Lift& at : follow(scene, 1, {0, 1}, reach, {instants}).lifts) {
+        // The bar is above the square from 16 / 3 on, and its tip reaches it.
+        EXPECT_GT(at.time.hi, 16.0 / 3);
+        EXPECT_LE(at.lift[0], 7);
+        EXPECT_GE(at.lift[1], 7);
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace taut::testing
