@@ -43,7 +43,8 @@ def follow(scene: Scene, body: str, reach: float, *, direction_deg: float = 90, 
     """The lift of a follower, which has no motion of its own, at about so many ``instants``.
 
     In each of as many equal stretches of the scene's time it comes down evenly, from the lift ``reach`` to 0, and where it
-    meets another body is an instant and a lift: both enclosed, for the motions as they are given. ``direction_deg``: along
+    meets another body is an instant and a lift: both enclosed, for the motions as they are given. Nothing stands in its
+    way from ``reach`` down to there at that instant, up to rounding of the places. ``direction_deg``: along
     which it is lifted, counterclockwise from the x axis. Assumes that a spring presses the follower onto the cam at all
     times. What touches only between two instants is not seen. InputError if the scene is not valid, there is no such body,
     it does not clear the others at ``reach``, or no pair with it is tested; UndecidedError after ``max_seconds``.

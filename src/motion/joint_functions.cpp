@@ -5,14 +5,12 @@
 
 #include "motion/joint_value.hpp"
 #include "motion/motion_segment.hpp"
+#include "taut/envelope.hpp"
 
 namespace taut::internal {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/// As many joints as a linkage has.
-constexpr std::size_t max_drives = 4;
 
 template <class Real>
 Ball<Real> anything() {
@@ -253,7 +251,7 @@ const std::vector<Series<Real, N>>& JointFunctions::all_values(std::size_t piece
   };
   // Each of a pair's chains asks for several joints at one time, and for two times in turn; over a cell of joint
   // values, all pairs ask for one time of each drive.
-  thread_local std::array<Known, 2 * max_drives> known;
+  thread_local std::array<Known, 2 * max_joints> known;
   thread_local std::size_t last = 0;
   for (Known& k : known) {
     if (k.id == id_ && k.piece == piece && k.t.mid == t.mid && k.t.rad == t.rad) return k.values;
