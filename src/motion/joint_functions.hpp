@@ -23,12 +23,23 @@ struct LoopCell {
   bool box = false;             ///< only the values are enclosed, by `error` about c[0]: right before a dead point
   std::vector<Coefficients> c;  ///< of each unknown
   std::vector<double> error, tube;
+
+  /// Without polynomials yet; the disc is 16/11 times as wide as the part of the time.
+  static LoopCell between(double from, double to);
   /// The Taylor coefficients over the ball t, which the cell contains.
   template <int N>
   Series<double, N> about(std::size_t unknown, const Ball<double>& t) const;
   /// The polynomial's value, without bounds.
   double approximate(std::size_t unknown, double t) const;
 };
+
+/// Proves that one solution is near the cell's polynomials, and that it is the one within `last` at the cell's
+/// beginning; adds error and tube. Returns the approximate inverse of the Jacobian by which this was shown; nothing if
+/// it was not.
+std::optional<Square<double>> certify(LoopCell& cell, const LoopCurve& curve, const Balls<double>& last);
+
+/// The unknowns at the cell's end.
+Balls<double> values_at_end(const LoopCell& cell);
 
 /// How far the unknowns could be followed.
 struct LoopPath {
@@ -55,6 +66,7 @@ class JointFunctions {
   const LoopEquations& equations() const { return equations_; }
   std::size_t pieces() const { return cells_.size(); }
   const std::vector<LoopCell>& cells(std::size_t piece) const { return cells_[piece]; }
+  std::optional<double> drawn_at() const { return drawn_at_; }
 
   /// The value of a joint, by its number in the equations, over the ball t, with coefficients
   /// of its Taylor series. Of times outside of the piece, only those within it count.

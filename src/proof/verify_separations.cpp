@@ -9,6 +9,7 @@
 #include "certificate/feature_map.hpp"
 #include "numeric/budget.hpp"
 #include "proof/kept_margin.hpp"
+#include "proof/mechanism_cells.hpp"
 #include "proof/open_pairs.hpp"
 #include "proof/proved_contact.hpp"
 #include "proof/verifier_world.hpp"
@@ -258,6 +259,7 @@ class SeparationsVerifier {
     const VerifierPair& pair = world_.pair(a, b);
     const std::uint8_t how = in_.u8();
     const VertexId e = read_vertex(pair), f = read_vertex(pair);
+    if (how > 1 || (how == 1 && e != f)) throw ProofError("a contact at the start of an unknown kind");
     const PairGeometry outer = displaced_pair(pair.bodies, Offset::outward);
     const Placement place(outer, pair.segments[0], scene_.start, Positions::on_demand);
     const StartOverlap overlap{how == 0, outer.in_p(e) ? e : f, outer.in_p(e) ? f : e, e};
@@ -287,6 +289,7 @@ class SeparationsVerifier {
 }  // namespace
 
 Verified verify_separations(const Scene& scene, ByteReader& in, const Header& header) {
+  if (has_loops(scene)) return SeparationsVerifier(with_stated_cells(scene, in), in, header).run();
   return SeparationsVerifier(scene, in, header).run();
 }
 

@@ -12,6 +12,15 @@
 namespace taut::internal {
 namespace {
 
+/// With drives that go straight from the drawn pose to where they begin at `start`, over [0, 1].
+LoopEquations to_beginning(LoopEquations equations, double start) {
+  for (Drive& drive : equations.drives) {
+    const double begins = drive_value(drive.pieces.front(), Series<double, 0>::constant(start)).c[0].mid;
+    drive.pieces = {{1, std::array<double, 4>{0, 0, 1, begins}, {}}};
+  }
+  return equations;
+}
+
 class Assembly {
  public:
   explicit Assembly(Scene scene) : scene_(std::move(scene)) {}
@@ -30,7 +39,7 @@ class Assembly {
     const auto functions = std::make_shared<const JointFunctions>(std::move(equations_), std::move(cells_), drawn_at);
     move_links(functions, timed.ends);
     scene_.assembly = std::make_shared<const AssembledMechanism>(
-        AssembledMechanism{functions, tree_, mobility_, asked_end, scene_.end});
+        AssembledMechanism{functions, std::move(approach_), tree_, mobility_, scene_.start, asked_end, scene_.end});
     return std::move(scene_);
   }
 
@@ -125,10 +134,6 @@ class Assembly {
     return names;
   }
 
-  /// The value of a drive at the start.
-  Ball<double> beginning(const Drive& drive) const {
-    return drive_value(drive.pieces.front(), Series<double, 0>::constant(scene_.start)).c[0];
-  }
   /// Do all drives begin at 0, exactly?
   bool begins_as_drawn() const {
     return std::all_of(equations_.drives.begin(), equations_.drives.end(), [&](const Drive& drive) {
@@ -146,15 +151,13 @@ class Assembly {
     });
   }
 
-  Balls<double> at_beginning(Balls<double> values) const {
+  Balls<double> at_beginning(Balls<double> values) {
     if (begins_as_drawn()) return values;
-    LoopEquations drawn = equations_;
-    for (Drive& drive : drawn.drives) {
-      const double begins = beginning(drive).mid;
-      drive.pieces = {{1, std::array<double, 4>{0, 0, 1, begins}, {}}};
+    LoopPath path = follow(to_beginning(equations_, scene_.start), 0, 0, 1, values);
+    if (!path.singular) {
+      approach_ = std::move(path.cells);
+      return path.last;
     }
-    LoopPath path = follow(drawn, 0, 0, 1, values);
-    if (!path.singular) return path.last;
     throw InputError(
         "mechanism",
         fmt::format("it locks on the way from the drawn pose to the beginning of the drives, at {:.4g} of it",
@@ -248,9 +251,13 @@ class Assembly {
   Mobility mobility_;
   LoopEquations equations_;
   std::vector<std::vector<LoopCell>> cells_;
+  std::vector<LoopCell> approach_;
 };
 
 }  // namespace
+
+LoopEquations AssembledMechanism::approach_equations() const { return to_beginning(functions->equations(), start); }
+
 }  // namespace taut::internal
 
 namespace taut {

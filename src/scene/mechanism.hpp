@@ -42,8 +42,14 @@ Mobility mobility_of(const Mechanism& mechanism, const JointTree& tree);
 
 struct AssembledMechanism {
   std::shared_ptr<const JointFunctions> functions;
+  /// The way from the drawn pose to the beginning of the drives, over [0, 1]; empty if they begin there, or without
+  /// loops.
+  std::vector<LoopCell> approach;
+  /// The equations of that way: the drives go straight.
+  LoopEquations approach_equations() const;
   JointTree tree;
   Mobility mobility;
+  double start = 0;      ///< of the scene's time
   double asked_end = 0;  ///< the end of the scene's time as it was given
   double end = 0;        ///< and that up to a lock
 };

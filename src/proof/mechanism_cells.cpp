@@ -1,0 +1,126 @@
+#include "proof/mechanism_cells.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <variant>
+#include <vector>
+
+#include "numeric/budget.hpp"
+#include "scene/mechanism.hpp"
+
+namespace taut::internal::proof {
+namespace {
+
+enum class CellKind : std::uint8_t { polynomials, before_dead_point };
+
+void write_cell(ByteWriter& out, const LoopCell& cell) {
+  out.u8(static_cast<std::uint8_t>(cell.box ? CellKind::before_dead_point : CellKind::polynomials));
+  out.f64(cell.to);
+  if (cell.box) return;
+  for (const LoopCell::Coefficients& c : cell.c) {
+    std::size_t terms = c.size();
+    while (terms > 0 && c[terms - 1] == 0) --terms;
+    out.u8(static_cast<std::uint8_t>(terms));
+    for (std::size_t k = 0; k < terms; ++k) out.f64(c[k]);
+  }
+}
+
+class CellReader {
+ public:
+  CellReader(const Scene& scene, ByteReader& in) : in_(in), mechanism_(*scene.assembly) {}
+
+  std::shared_ptr<const JointFunctions> read() {
+    const LoopEquations& equations = mechanism_.functions->equations();
+    values_.assign(static_cast<std::size_t>(equations.unknowns), Ball<double>::exact(0));
+    const LoopEquations approach = mechanism_.approach_equations();
+    if (!mechanism_.approach.empty()) read_path({approach, 0, equations.unknowns}, mechanism_.approach, 0);
+    std::vector<std::vector<LoopCell>> all;
+    double start = mechanism_.start;
+    for (std::size_t piece = 0; piece < mechanism_.functions->pieces(); ++piece) {
+      const std::vector<LoopCell>& own = mechanism_.functions->cells(piece);
+      all.push_back(read_path({equations, piece, equations.unknowns}, own, start));
+      start = own.back().to;
+    }
+    return std::make_shared<const JointFunctions>(equations, std::move(all), mechanism_.functions->drawn_at());
+  }
+
+ private:
+  /// From a time to where the path is known to end: there, the drives pass to another piece, or the mechanism locks.
+  std::vector<LoopCell> read_path(const LoopCurve& curve, const std::vector<LoopCell>& own, double from) {
+    std::vector<LoopCell> cells;
+    for (std::uint32_t left = in_.u32(); left > 0; --left) {
+      checkpoint();
+      const std::uint8_t kind = in_.u8();
+      const double to = in_.f64();
+      if (!(to > from || (to == from && own.front().from == own.back().to)) || !(to <= own.back().to))
+        throw ProofError("a part of the time that makes no sense");
+      if (kind == static_cast<std::uint8_t>(CellKind::before_dead_point)) {
+        // Nothing is stated of it: the verifier encloses the joints by itself.
+        if (left > 1 || !own.back().box || own.back().from != from || own.back().to != to)
+          throw ProofError("a cell before a dead point that is not there");
+        cells.push_back(own.back());
+      } else if (kind == static_cast<std::uint8_t>(CellKind::polynomials)) {
+        cells.push_back(read_cell(curve, from, to));
+      } else {
+        throw ProofError("a cell of an unknown kind");
+      }
+      from = to;
+    }
+    if (cells.empty() || cells.back().to != own.back().to)
+      throw ProofError("the cells of the mechanism do not cover the time");
+    return cells;
+  }
+
+  LoopCell read_cell(const LoopCurve& curve, double from, double to) {
+    LoopCell cell = LoopCell::between(from, to);
+    for (std::size_t i = 0; i < curve.size(); ++i) {
+      LoopCell::Coefficients& c = cell.c.emplace_back();
+      const std::uint8_t terms = in_.u8();
+      if (terms > c.size()) throw ProofError("a polynomial of too high a degree");
+      for (std::size_t k = 0; k < terms; ++k) c[k] = in_.f64();
+      if (!std::all_of(c.begin(), c.end(), [](double x) { return std::isfinite(x); }))
+        throw ProofError("a coefficient that is no number");
+    }
+    if (!certify(cell, curve, values_))
+      throw ProofError("the joints of the mechanism are not shown to follow the polynomials from t = " +
+                       std::to_string(from));
+    values_ = values_at_end(cell);
+    return cell;
+  }
+
+  ByteReader& in_;
+  const AssembledMechanism& mechanism_;
+  Balls<double> values_;  ///< of the unknowns, where the last cell ends
+};
+
+}  // namespace
+
+bool has_loops(const Scene& scene) { return scene.assembly && scene.assembly->functions->equations().unknowns > 0; }
+
+void write_cells(ByteWriter& out, const Scene& scene) {
+  const AssembledMechanism& mechanism = *scene.assembly;
+  const auto write_path = [&](const std::vector<LoopCell>& cells) {
+    out.u32(static_cast<std::uint32_t>(cells.size()));
+    for (const LoopCell& cell : cells) write_cell(out, cell);
+  };
+  if (!mechanism.approach.empty()) write_path(mechanism.approach);
+  for (std::size_t piece = 0; piece < mechanism.functions->pieces(); ++piece)
+    write_path(mechanism.functions->cells(piece));
+}
+
+Scene with_stated_cells(const Scene& scene, ByteReader& in) {
+  const auto functions = CellReader(scene, in).read();
+  Scene out = scene;
+  auto assembly = std::make_shared<AssembledMechanism>(*scene.assembly);
+  assembly->functions = functions;
+  out.assembly = std::move(assembly);
+  for (Body& body : out.bodies) {
+    for (MotionPiece& piece : body.motion.pieces) {
+      if (auto* follower = std::get_if<JointFollower>(&piece.rotation)) follower->functions = functions;
+    }
+  }
+  return out;
+}
+
+}  // namespace taut::internal::proof
