@@ -90,19 +90,19 @@ def _arctan_of_inverse(n, one):
     return total
 
 
-_EXTRA = 64
-_PI = 4 * (4 * _arctan_of_inverse(5, 1 << (BITS + _EXTRA)) - _arctan_of_inverse(239, 1 << (BITS + _EXTRA)))
+EXTRA = 64
+PI = 4 * (4 * _arctan_of_inverse(5, 1 << (BITS + EXTRA)) - _arctan_of_inverse(239, 1 << (BITS + EXTRA)))
 _known = {}
 
 
 def _sin_cos_of(a):
     """Of an integer times 2^-BITS, with errors below MINUTE."""
-    bits = BITS + _EXTRA
-    x = a << _EXTRA
-    quarters = (2 * x + _PI // 2) // _PI  # the nearest multiple of pi / 2
+    bits = BITS + EXTRA
+    x = a << EXTRA
+    quarters = (2 * x + PI // 2) // PI  # the nearest multiple of pi / 2
     if abs(quarters) > 1 << 40:
         raise Undecided("too many turns")
-    x -= quarters * _PI >> 1
+    x -= quarters * PI >> 1
     x >>= 6  # six doublings later
     square = x * x >> bits
     s = term = x
@@ -116,7 +116,7 @@ def _sin_cos_of(a):
         s, c = 2 * s * c >> bits, (1 << bits) - (2 * s * s >> bits)
     for _ in range(quarters % 4):
         s, c = c, -s
-    return s >> _EXTRA, c >> _EXTRA
+    return s >> EXTRA, c >> EXTRA
 
 
 def sin_cos(x):

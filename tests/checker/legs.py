@@ -135,6 +135,8 @@ def repeats_from(scene, p, q):
     for motion in (motion for chain in chains_of(scene, p, q) for motion in chain):
         last = next(k for k, piece in enumerate(motion) if piece.until >= scene.end)
         piece = motion[last]
+        if piece.key()[0] == "joint":
+            return math.inf
         if last:
             begin = max(begin, motion[last - 1].until)
         turning = piece.rotation[0] if piece.kind == 1 else ()

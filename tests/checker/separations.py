@@ -164,6 +164,11 @@ class Checker(Windows):
         fingerprint, touch, claim = log.take(32), log.u8(), log.u8()
         require(touch <= 1 and claim & ~CLEARANCE <= FINE_CONTACT, "the header")
         require(fingerprint == scene.fingerprint(touch), "another scene")
+        self.locked = False
+        if scene.mechanism:
+            scene.mechanism.read(log, scene.start)
+            self.locked = scene.mechanism.until < scene.given_end
+            scene.end = scene.mechanism.until
         self.closed, self.claim, self.margin = touch == 1, claim & ~CLEARANCE, 0
         require(any(scene.asked(a, b) for b in range(len(scene.bodies)) for a in range(b)), "nothing is proved")
         room = 2.0**-60
@@ -207,7 +212,7 @@ class Checker(Windows):
 
     def run(self):
         scene, log = self.scene, self.log
-        self.until, found = scene.end, {"outcome": "free"}
+        self.until, found = scene.end, {"outcome": "locked" if self.locked else "free"}
         if self.claim == FREE_UNTIL:
             self.until, found = log.f64(), {"outcome": "undecided"}
         elif self.claim in (CONTACT, FINE_CONTACT):

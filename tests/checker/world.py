@@ -16,6 +16,7 @@ from bodies import (INFINITE, diameter, displaced, given_pieces, is_clockwise, m
                     origin_of, polynomial_on, seed_of, trimmed)
 from covered import NotCovered
 from keyframes import compiled
+from mechanism import JointPiece, read_mechanism
 
 
 def packed(polynomial):
@@ -212,6 +213,7 @@ def sections_of(layers):
 class Scene:
     def __init__(self, json):
         self.start, self.end = (float(t) for t in json["time"])
+        self.given_end = self.end
         self.bodies, self.own, self.chains = [], [], []
         given = [self._rings(body) for body in json["bodies"]]
         self.layers = [layers_of(body) for body in json["bodies"]]
@@ -230,6 +232,9 @@ class Scene:
         self.bodies += above
         self.at_rest_tested = json.get("at_rest") == "test"
         self._find_ignored(json)
+        self.mechanism, self.mechanism_bytes, self.links = None, b"", {}
+        if "mechanism" in json:
+            self._join(json["mechanism"])
         self.hashed = self._hashed(json, given)
         self._find_chains()
 
@@ -260,6 +265,17 @@ class Scene:
         self.parents = [self.names[body["relative_to"]] if body.get("relative_to") else -1
                         for body in json["bodies"]]
 
+    def _join(self, json):
+        """Links move as their joints do, each seen from the one that carries it."""
+        functions, self.mechanism_bytes = read_mechanism(json, self.names, self.exponent, self.start, self.end)
+        linkage = functions.linkage
+        self.mechanism = functions if linkage.unknowns else None
+        ends = linkage.ends[:-1] + [INFINITE]
+        for k, link in enumerate(linkage.tree.links):
+            self.links[link.body] = k
+            self.own[link.body] = [JointPiece(functions, k, piece, end) for piece, end in enumerate(ends)]
+            self.parents[link.body] = linkage.tree.links[link.parent].body if link.parent >= 0 else -1
+
     def _hashed(self, json, given):
         """Without what comes before and in between: the name and the touch mode."""
         out = number(self.start) + number(self.end)
@@ -269,7 +285,8 @@ class Scene:
 
         out += struct.pack("<I", len(given))
         for k, rings in enumerate(given):
-            pieces = struct.pack("<I", len(self.own[k])) + b"".join(p.bytes() for p in self.own[k])
+            pieces = (struct.pack("<I", 0xFFFFFFFE) if k in self.links else
+                      struct.pack("<I", len(self.own[k])) + b"".join(p.bytes() for p in self.own[k]))
             parts = [[r[0] for r in rings if r[2] == part] for part in range(rings[-1][2] + 1)]
             out += struct.pack("<I", len(parts))
             for part in parts:
@@ -282,7 +299,7 @@ class Scene:
             out += bytes([2])
             for body in self.layers:
                 out += struct.pack("<I", len(body)) + b"".join(number(end) for z in body for end in z)
-        return out
+        return out + self.mechanism_bytes
 
     def fingerprint(self, closed):
         return hashlib.sha256(b"taut scene 3" + bytes([closed]) + self.hashed).digest()

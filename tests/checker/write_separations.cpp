@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "proof/log_text.hpp"
+#include "support/closed_linkage.hpp"
 #include "support/large_world.hpp"
 #include "support/layered.hpp"
 #include "support/made_world.hpp"
@@ -28,7 +29,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_vertices = 150, most_bytes = 2500, claim_byte = 41;
+constexpr std::size_t most_vertices = 150, most_bytes = 2500, most_bytes_of_loops = 16000, claim_byte = 41;
 
 std::size_t vertices_in(const Scene& scene) {
   std::size_t count = 0;
@@ -131,7 +132,30 @@ Scene repeating(Rng& rng) {
   return scene;
 }
 
+/// Linkages of one or two loops, some with a drive that begins elsewhere than in the drawn pose, or turns back.
+Scene linked(Rng& rng) {
+  Scene scene = ClosedLinkage(rng, 1 + rng.below(2)).scene();
+  std::vector<taut::Drive::Piece>& pieces = scene.mechanism->drives[0].pieces;
+  const auto [t0, v0, t1, v1] = *pieces[0].line;
+  if (rng.chance(0.3)) {
+    pieces[0].line = {t0, v1 / 8, t1, v1};
+  } else if (rng.chance(0.4)) {
+    const double middle = t0 + (t1 - t0) / 4;
+    pieces = {{middle, std::array<double, 4>{t0, v0, middle, v1 / 4}, {}},
+              {INFINITY, std::array<double, 4>{middle, v1 / 4, t1, v0}, {}}};
+  }
+  // Off their joints, where all of them lie on each other.
+  for (Body& body : scene.bodies) {
+    const double x = rng.real(-6, 6), y = rng.real(-6, 6), size = rng.real(1, 3);
+    const Point at = body.polygon[0];
+    for (Point& p : body.polygon) p = {at.x + x + size * (p.x - at.x), at.y + y + size * (p.y - at.y)};
+  }
+  if (rng.chance(0.3)) scene.bodies.back().z = {0, 1};
+  return scene;
+}
+
 Scene drawn_world(Rng& rng, std::uint64_t number) {
+  if (number % 8 == 4) return linked(rng);
   if (number % 8 == 7) return crowd(rng);
   if (number % 8 == 5) return swinging(rng);
   if (number % 8 == 1) return repeating(rng);
@@ -292,7 +316,7 @@ bool print_world(Rng& rng, const Scene& scene, Touch touch, double clearance, st
     return false;
   }
   const std::string log = out.str();
-  if (log.size() < 52 || log.size() > most_bytes) return false;
+  if (log.size() < 52 || log.size() > (scene.mechanism ? most_bytes_of_loops : most_bytes)) return false;
   if (text.empty()) text = write_scene(scene);
   std::replace(text.begin(), text.end(), '\n', ' ');
   fmt::print("{{\"scene\":{}}}\n", text);
@@ -319,10 +343,15 @@ double drawn_clearance(Rng& rng, const Scene& scene) {
 int write_all(const fs::path& root, int logs) {
   Rng rng(21);
   int written = 0;
-  const auto print = [&](const Scene& scene, Touch touch) {
-    written += print_world(rng, scene, touch, drawn_clearance(rng, scene));
+  const auto print = [&](const Scene& given, Touch touch) {
+    try {
+      const Scene scene = assembled(given);
+      written += print_world(rng, scene, touch, drawn_clearance(rng, scene));
+    } catch (const InputError&) {
+      // A linkage that is drawn at a dead point, or locks before its drive begins.
+    }
   };
-  for (const fs::path& folder : {root / "../shared/worlds", root / "examples/worlds"}) {
+  for (const fs::path& folder : {root / "examples/mechanisms", root / "../shared/worlds", root / "examples/worlds"}) {
     if (!fs::exists(folder)) continue;
     std::vector<fs::path> files;
     for (const auto& entry : fs::directory_iterator(folder)) files.push_back(entry.path());
