@@ -19,6 +19,10 @@ struct Gas {
 /// they are hexagons, of more, stars.
 Gas gas(int bodies, int vertices, double fraction);
 
+/// The same of any polygon about the origin. Where the fraction asks for it, bodies stand in staggered rows, and the
+/// box is no square: `side` is the width. Throws InputError where they would overlap even so.
+Gas gas(int bodies, const Polygon& ring, double fraction);
+
 /// The body, as it is drawn.
 Polygon gas_polygon(int vertices);
 
