@@ -17,9 +17,13 @@ int main(int argc, char** argv) {
   Output output(argv[1]);
   const std::string scenes = argv[2];
   const std::vector<std::pair<std::string, std::function<void()>>> parts = {
-      {"figures", [&] { draw_figures(output, scenes); }},        {"compactness", [&] { study_compactness(output); }},
-      {"responsiveness", [&] { study_responsiveness(output); }}, {"locality", [&] { study_locality(output); }},
+      {"figures", [&] { draw_figures(output, scenes); }},
+      {"compactness", [&] { study_compactness(output); }},
+      {"responsiveness", [&] { study_responsiveness(output); }},
+      {"locality", [&] { study_locality(output); }},
       {"efficiency", [&] { study_efficiency(output); }},
+      {"structures", [&] { study_structures(output); }},
+      {"worlds", [&] { study_worlds(output); }},
   };
   try {
     for (const auto& [name, run] : parts) {

@@ -33,6 +33,10 @@ void study_responsiveness(Output& output);
 void study_locality(Output& output);
 /// Theorems 3.1 and 3.2: numbers of events.
 void study_efficiency(Output& output);
+/// Structures of others, beside the tiling of a pair.
+void study_structures(Output& output);
+/// One tiling of all bodies of a world, beside tilings of pairs.
+void study_worlds(Output& output);
 /// The figures, from the scenes in `scenes`.
 void draw_figures(Output& output, const std::string& scenes);
 

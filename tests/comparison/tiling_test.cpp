@@ -67,7 +67,7 @@ Followed follow(const Scene& scene, bool crossings) {
 }
 
 Scene gas_scene(const char* family, int bodies, double fraction, std::uint64_t contacts) {
-  return shrunk(recorded_gas(gas_shape(family), bodies, fraction, contacts).scene, 1e-6, 1);
+  return shrunk(*simulated_gas(gas_shape(family), bodies, fraction, contacts, true).record, 1e-6, 1);
 }
 
 TEST(ComparisonTiling, IsValidAfterEveryEventOfAGas) {

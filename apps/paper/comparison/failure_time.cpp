@@ -12,7 +12,7 @@ struct Vector {
   double x = 0, y = 0;
 };
 Vector minus(const Point& a, const Point& b) { return {a.x - b.x, a.y - b.y}; }
-double cross(const Vector& a, const Vector& b) { return a.x * b.y - a.y * b.x; }
+double product(const Vector& a, const Vector& b) { return a.x * b.y - a.y * b.x; }
 double length(const Vector& a) { return std::hypot(a.x, a.y); }
 
 /// How fast the difference of two vertices may move within an interval.
@@ -49,35 +49,33 @@ Triple::Triple(int u, int v, int w) : vertices_{u, v, w} {
   order(0, 1);
 }
 
-double Triple::value(const MovingBodies& bodies, double t) const {
-  const Point a = bodies.at(vertices_[0], t).position, b = bodies.at(vertices_[1], t).position,
-              c = bodies.at(vertices_[2], t).position;
-  return parity_ * cross(minus(b, a), minus(c, a));
-}
-
 int Triple::sign(const MovingBodies& bodies, double t) const {
-  const double v = value(bodies, t);
+  const double v = parity_ * cross().value(bodies, t);
   return v > 0 ? 1 : v < 0 ? -1 : 0;
 }
 
-double failure_time(const MovingBodies& bodies, const Triple& triple, int sign, double from, double until,
+double Cross::value(const MovingBodies& bodies, double t) const {
+  const auto at = [&](int vertex) { return bodies.at(vertex, t).position; };
+  return product(minus(at(b), at(a)), minus(at(d), at(c)));
+}
+
+double failure_time(const MovingBodies& bodies, const Cross& cross, int sign, double from, double until,
                     std::uint64_t* steps) {
-  const auto [u, v, w] = triple.vertices_;
-  const int side = sign * triple.parity_;
   double t = from, h = until - from, crawl = 0;
   while (true) {
     if (steps) ++*steps;
-    const Moving a = bodies.at(u, t), b = bodies.at(v, t), c = bodies.at(w, t);
-    const Vector d = minus(b.position, a.position), e = minus(c.position, a.position);
-    const double value = side * cross(d, e);
+    const Moving a = bodies.at(cross.a, t), b = bodies.at(cross.b, t),
+                 c = cross.c == cross.a ? a : bodies.at(cross.c, t), d = bodies.at(cross.d, t);
+    const Vector p = minus(b.position, a.position), q = minus(d.position, c.position);
+    const double value = sign * product(p, q);
     if (value < 0) return t;
     if (t >= until) return std::numeric_limits<double>::infinity();
     h = std::min(h, until - t);
-    const double slope = side * (cross(minus(b.velocity, a.velocity), e) + cross(d, minus(c.velocity, a.velocity)));
-    const DifferenceBounds p = difference_bounds(bodies, u, v, length(d), t, h),
-                           q = difference_bounds(bodies, u, w, length(e), t, h);
-    const double bound =
-        p.acceleration * (length(e) + q.speed * h) + 2 * p.speed * q.speed + (length(d) + p.speed * h) * q.acceleration;
+    const double slope = sign * (product(minus(b.velocity, a.velocity), q) + product(p, minus(d.velocity, c.velocity)));
+    const DifferenceBounds one = difference_bounds(bodies, cross.a, cross.b, length(p), t, h),
+                           other = difference_bounds(bodies, cross.c, cross.d, length(q), t, h);
+    const double bound = one.acceleration * (length(q) + other.speed * h) + 2 * one.speed * other.speed +
+                         (length(p) + one.speed * h) * other.acceleration;
     double step = safe_step(value, slope, bound);
     if (step >= h) {
       t += h;

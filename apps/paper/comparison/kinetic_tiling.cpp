@@ -51,7 +51,7 @@ void KineticTiling::schedule(int h) {
   double until = end_;
   for (const int v : three.vertices()) until = std::min(until, bodies_.piece_end(bodies_.body_of(v), time_));
   ++failure_times_;
-  const double failure = failure_time(bodies_, three, corner.sign, time_, until, &steps_);
+  const double failure = failure_time(bodies_, three.cross(), three.parity() * corner.sign, time_, until, &steps_);
   late_ += failure == time_;
   if (std::isfinite(failure)) {
     queue_.push({failure, h, corner.version, true});

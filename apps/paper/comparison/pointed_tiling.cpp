@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "comparison/edge_grid.hpp"
+#include "comparison/half_edges.hpp"
 #include "geometry/predicates.hpp"
 #include "taut/error.hpp"
 
@@ -114,11 +115,12 @@ class Builder {
     add_in_order(candidates);
   }
 
-  /// All pairs whose distance is within a band, band after band.
+  /// All pairs whose distance is within a band, band after band; and once all bodies are joined and few faces are open,
+  /// all pairs of each of these, which is the same and takes less time.
   void add_between_bodies() {
     const double far = farthest();
     double from = 0, to = far / std::sqrt(static_cast<double>(positions_.size()));
-    for (; missing_ > 0 && from <= far; from = to, to *= 1.5) {
+    for (; missing_ > 0 && from <= far && !add_within_faces(); from = to, to *= 1.5) {
       std::map<std::pair<int, int>, std::vector<int>> cells;
       const auto cell = [&](double x) { return static_cast<int>(std::floor(x / to)); };
       for (int v = 0; v < bodies_.vertices(); ++v) cells[{cell(at(v).x), cell(at(v).y)}].push_back(v);
@@ -140,6 +142,52 @@ class Builder {
       const double d = distance(v, w);
       if (d > from && d <= to && place(v, w) && place(w, v)) out.push_back({d, v, w});
     }
+  }
+  /// Adds edges to the faces that are no pseudo-triangles yet. False if there is too much of them.
+  bool add_within_faces() {
+    if (!all_joined()) return false;
+    std::vector<Candidate> candidates;
+    for (std::vector<int>& face : open_faces()) {
+      if (candidates.size() + face.size() * face.size() > 4'000'000) return false;
+      // A vertex comes twice where the face is on both sides of it.
+      std::sort(face.begin(), face.end());
+      face.erase(std::unique(face.begin(), face.end()), face.end());
+      for (const int v : face) gather(v, face, 0, INFINITY, candidates);
+    }
+    add_in_order(candidates);
+    return true;
+  }
+  bool all_joined() const {
+    std::vector<bool> reached(index(bodies_.bodies()));
+    std::vector<int> left{0};
+    int count = 0;
+    while (!left.empty()) {
+      const int body = left.back();
+      left.pop_back();
+      if (reached[index(body)]) continue;
+      reached[index(body)] = true;
+      ++count;
+      for (int v = bodies_.first(body); v < bodies_.first(body + 1); ++v)
+        for (const int w : around_[index(v)]) left.push_back(bodies_.body_of(w));
+    }
+    return count == bodies_.bodies();
+  }
+  /// The vertices of each face with more than three convex corners, once all bodies are joined.
+  std::vector<std::vector<int>> open_faces() const {
+    const HalfEdges map(bodies_, around_);
+    std::vector<bool> seen(index(map.size()));
+    std::vector<std::vector<int>> out;
+    for (int start = 0; start < map.size(); ++start) {
+      std::vector<int> face;
+      int convex = 0;
+      for (int h = start; !seen[index(h)]; h = map.next(h)) {
+        seen[index(h)] = true;
+        face.push_back(map.origin(h));
+        convex += side(map.origin(map.previous(h)), map.origin(h), map.target(h)) > 0;
+      }
+      if (convex > 3 && !map.is_inside(start)) out.push_back(std::move(face));
+    }
+    return out;
   }
   double farthest() const {
     double x0 = INFINITY, x1 = -INFINITY, y0 = INFINITY, y1 = -INFINITY;
