@@ -4,10 +4,15 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <stdexcept>
 
+#include "comparison/convex_separation.hpp"
 #include "comparison/kinetic_tiling.hpp"
 #include "comparison/worlds.hpp"
 #include "study.hpp"
+#include "taut/check.hpp"
+#include "taut/pose.hpp"
 
 namespace taut::paper {
 namespace {
@@ -122,17 +127,62 @@ void note_ratio(Output& output, const Table& table, const std::string& what, con
                           least.first, least.second, most.first, most.second));
 }
 
+/// The intervals of time in which the centres of two bodies are closer than `reach`, to a hundredth of a unit.
+std::vector<TimeInterval> near_intervals(const Scene& scene, std::size_t one, std::size_t other, double reach) {
+  constexpr double step = 0.01;
+  std::vector<TimeInterval> out;
+  for (double t = scene.start; t < scene.end; t += step) {
+    const BodyPose a = pose_at(scene.bodies[one].motion, t), b = pose_at(scene.bodies[other].motion, t);
+    if (std::hypot(a.origin.x - b.origin.x, a.origin.y - b.origin.y) >= reach) continue;
+    const double until = std::min(t + step, scene.end);
+    if (!out.empty() && out.back().hi >= t) {
+      out.back().hi = until;
+    } else {
+      out.push_back({t, until});
+    }
+  }
+  return out;
+}
+
+/// Events of separating lines, of all pairs of bodies while their discs, of radius 1, are closer than a tenth.
+std::uint64_t events_of_lines(const Scene& record, std::size_t bodies) {
+  const Scene scene = shrunk(record, 1e-6, 1);
+  std::uint64_t events = 0;
+  for (std::size_t i = 0; i < bodies; ++i) {
+    for (std::size_t j = i + 1; j < bodies; ++j) {
+      for (const TimeInterval& time : near_intervals(scene, i, j, 2.1)) {
+        Scene pair;
+        pair.start = time.lo;
+        pair.end = time.hi;
+        pair.bodies = {scene.bodies[i], scene.bodies[j]};
+        ConvexSeparation lines(pair);
+        while (lines.step()) {
+        }
+        events += lines.events();
+      }
+    }
+  }
+  return events;
+}
+
 /// How the cost of a contact grows with the vertices of round bodies: what events that do not grow could save.
 void measure_round_bodies(Output& output) {
-  Table table("worlds_round", {"family", "area_fraction", "bodies", "contacts", "events_per_contact", "certificates",
-                               "us_per_contact"});
+  Table table("worlds_round", {"family", "area_fraction", "bodies", "contacts", "certificates",
+                               "pairs_events_per_contact", "lines_events_per_contact", "pairs_us_per_contact"});
+  constexpr int bodies = 100, contacts = 1000;
+  constexpr double fraction = 0.5;
   for (const char* family : {"6-gons", "16-gons", "32-gons", "64-gons", "128-gons", "256-gons"}) {
-    SimulatedGas best = simulated_gas(gas_shape(family), 100, 0.5, 1000, false);
-    for (int k = 0; k < 2; ++k)
-      best.seconds = std::min(best.seconds, simulated_gas(gas_shape(family), 100, 0.5, 1000, false).seconds);
-    table.add({family, "0.5", "100", cell(best.contacts),
-               cell(static_cast<double>(best.events) / static_cast<double>(best.contacts), 4),
-               cell(best.certificates_mean, 4), cell(best.seconds / static_cast<double>(best.contacts) * 1e6, 3)});
+    const Polygon shape = gas_shape(family);
+    const SimulatedGas gas = simulated_gas(shape, bodies, fraction, contacts, true);
+    double seconds = INFINITY;
+    for (int k = 0; k < 3; ++k)
+      seconds = std::min(seconds, simulated_gas(shape, bodies, fraction, contacts, false).seconds);
+    const auto each = [&](std::uint64_t count) {
+      return cell(static_cast<double>(count) / static_cast<double>(gas.contacts), 4);
+    };
+    table.add({family, cell(fraction), cell(bodies), cell(gas.contacts), cell(gas.certificates_mean, 4),
+               each(gas.events), each(events_of_lines(*gas.record, bodies)),
+               cell(seconds / static_cast<double>(gas.contacts) * 1e6, 3)});
   }
   output.write(table);
 }

@@ -89,31 +89,30 @@ void measure_pair(const PairFamily& family, const Scene& given, Table& table) {
              cell(tiling.events), cell(pointed.events()), lines ? cell(lines->events()) : ""});
 }
 
-/// One column over another, a series for each family.
+/// The last row of a family: the largest scene.
+std::size_t last_row(const Table& table, const std::string& family) {
+  std::size_t row = 0;
+  for (std::size_t i = 0; i < table.rows(); ++i)
+    if (table.text(i, "family") == family) row = i;
+  return row;
+}
+
+/// A series for each family: the lines of convex bodies, the pointed tilings of others.
 Plot plot_of_pairs(const Table& table) {
   Plot plot{"Events of pairs: other structures, and the tiling",
             {"events of the tiling", 10},
             {"events of the other structure", 10},
             {}};
   double least = INFINITY, most = 0;
-  for (const auto& [column, what] :
-       {std::pair<std::string, std::string>{"pointed_events", ""}, {"lines_events", ", lines"}}) {
-    for (const std::string& family : values(table, "family")) {
-      Series s{family.substr(1, family.size() - 2) + what, {}};
-      for (std::size_t i = 0; i < table.rows(); ++i) {
-        if (table.text(i, "family") != family || table.text(i, column).empty()) continue;
-        const double x = table.number(i, "tiling_events"), y = table.number(i, column);
-        if (x < 1 || y < 1) continue;
-        least = std::min(least, x);
-        most = std::max(most, x);
-        s.points.emplace_back(x, y);
-      }
-      if (!s.points.empty()) plot.series.push_back(s);
-    }
+  for (const std::string& family : values(table, "family")) {
+    const bool lines = !table.text(last_row(table, family), "lines_events").empty();
+    Series s{family.substr(1, family.size() - 2) + (lines ? ": lines" : ": pointed"),
+             samples(table, "tiling_events", lines ? "lines_events" : "pointed_events", "family", family)};
+    for (const auto& [x, y] : s.points) least = std::min(least, x), most = std::max(most, x);
+    plot.series.push_back(s);
   }
   plot.series.push_back({"as many", {{least, least}, {most, most}}, true, false, true, 7});
   plot.series.push_back({"half as many", {{least, least / 2}, {most, most / 2}}, true, false, true, 8});
-  plot.height = 560;
   return plot;
 }
 
@@ -129,12 +128,7 @@ void study_structures(Output& output) {
   output.write(table);
   output.write("structures", plot_of_pairs(table));
   for (const std::string& family : values(table, "family")) {
-    const std::size_t last = [&] {
-      std::size_t row = 0;
-      for (std::size_t i = 0; i < table.rows(); ++i)
-        if (table.text(i, "family") == family) row = i;
-      return row;
-    }();
+    const std::size_t last = last_row(table, family);
     const auto ratio = [&](const std::string& column, const std::string& tiling) {
       return table.number(last, column) / table.number(last, tiling);
     };
