@@ -34,8 +34,8 @@ class FailureSolver {
   /// Makes room for the failure times of this many certificates, so that events allocate nothing. The memory is touched
   /// only when events coincide within double precision.
   void reserve(std::size_t certificates) {
-    pool_.reserve(64 + certificates);
-    pool_free_.reserve(64 + certificates);
+    pool_.reserve(certificates);
+    pool_free_.reserve(certificates);
   }
   /// Required for a segment that is not straight.
   void reserve_cells() {

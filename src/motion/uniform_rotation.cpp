@@ -296,7 +296,7 @@ RelativeDisplacement<FixedBall> UniformRotation::precise_way(const MotionSegment
 
 const UniformRotation::Precise& UniformRotation::precise(const MotionSegment& segment, int exponent) const {
   if (precise_ && precise_->exponent == exponent) return *precise_;
-  precise_.emplace();
+  if (!precise_) precise_ = std::make_unique<Precise>();
   precise_->exponent = exponent;
   for (int pair = 0; pair < pairs; ++pair) precise_->u[pair] = spin(pair).precise_powers(exponent);
   if (constant_way_) precise_->constant_way = precise_way(segment, segment.start, exponent);

@@ -106,7 +106,7 @@ class UniformRotation {
   std::optional<Way> constant_way_;
   mutable std::array<Bounds, 6> kept_;  ///< the ones used last
   mutable std::size_t next_ = 0;
-  mutable std::optional<Precise> precise_;  ///< computed on first use
+  mutable std::unique_ptr<Precise> precise_;  ///< made on first use: few segments need more than doubles
 };
 
 }  // namespace taut::internal
