@@ -10,9 +10,12 @@
 #include "comparison/convex_separation.hpp"
 #include "comparison/kinetic_tiling.hpp"
 #include "comparison/worlds.hpp"
+#include "sheet.hpp"
 #include "study.hpp"
 #include "taut/check.hpp"
 #include "taut/pose.hpp"
+#include "taut/simulation.hpp"
+#include "world_picture.hpp"
 
 namespace taut::paper {
 namespace {
@@ -187,6 +190,36 @@ void measure_round_bodies(Output& output) {
   output.write(table);
 }
 
+/// The one tiling of 16 stars after 100 contacts, and the tilings of pairs that are near at the same time.
+std::string picture_of_tilings() {
+  const Scene scene = shrunk(*simulated_gas(gas_shape("stars"), 16, 0.5, 100, true).record, 1e-6, 1);
+  const double t = (scene.start + 3 * scene.end) / 4;
+  const MovingBodies bodies(scene);
+  KineticTiling tiling(bodies, scene.start, t);
+  while (tiling.step()) {
+  }
+  const std::vector<Point> at = bodies.positions(t);
+  std::vector<Polygon> drawn;
+  for (int body = 0; body < bodies.bodies(); ++body)
+    drawn.emplace_back(at.begin() + bodies.first(body), at.begin() + bodies.first(body + 1));
+  const auto edge = [&](int v, int w) {
+    return DrawnEdge{at[static_cast<std::size_t>(v)], at[static_cast<std::size_t>(w)],
+                     !bodies.rigid(bodies.body_of(v), bodies.body_of(w))};
+  };
+  std::vector<DrawnEdge> all, pairs;
+  for (int h = 2 * bodies.vertices(); h < tiling.map().size(); h += 2)
+    all.push_back(edge(tiling.map().origin(h), tiling.map().target(h)));
+  // The bodies are drawn counterclockwise, so that their vertices have the same numbers.
+  for (const NearTiling& near : tilings_of_near_pairs(scene, t)) {
+    for (const NearEdge& e : near.edges)
+      pairs.push_back(edge(bodies.first(e.from.body) + e.from.index, bodies.first(e.to.body) + e.to.index));
+  }
+  Sheet sheet(2);
+  sheet.add(draw_world(drawn, all), "One tiling of all bodies");
+  sheet.add(draw_world(drawn, pairs), "The tilings of pairs that are near");
+  return sheet.draw();
+}
+
 }  // namespace
 
 void study_worlds(Output& output) {
@@ -209,6 +242,7 @@ void study_worlds(Output& output) {
   }
   output.write(table);
   output.write("worlds", plot_of_worlds(table));
+  output.write_text("worlds_tilings.svg", picture_of_tilings());
   note_ratio(output, table, "certificates (mean)", "all_certificates", "pairs_certificates");
   note_ratio(output, table, "certificates (most)", "all_certificates_max", "pairs_certificates_max");
   note_ratio(output, table, "events", "all_events_per_contact", "pairs_events_per_contact");

@@ -67,11 +67,20 @@ std::vector<PairFamily> pair_families() {
           {"wheels", true, true, wheels, 16, 1024}};
 }
 
+/// Milliseconds that the other engine takes: the least of three runs.
+double spacetime_ms(const Scene& scene) {
+  CheckOptions options;
+  options.engine = EngineChoice::spacetime;
+  double least = INFINITY;
+  for (int k = 0; k < 3; ++k) least = std::min(least, check(scene, options).run_seconds * 1e3);
+  return least;
+}
+
 /// Adds the row of a scene. Where its vertices are in line, they are moved by a hundred-millionth at most, and both
 /// structures are asked about that. The rotor's must not be: its chain is flatter.
 void measure_pair(const PairFamily& family, const Scene& given, Table& table) {
   const Scene scene = family.in_line ? jittered(given, 1e-8, 3) : given;
-  const Run tiling = run_free(scene);
+  const Run tiling = run_free(scene, 3);
   const int kappa = separator(scene, scene.start).minimum_link.upper;
   const MovingBodies bodies(scene);
   KineticTiling pointed(bodies, scene.start, scene.end);
@@ -86,7 +95,8 @@ void measure_pair(const PairFamily& family, const Scene& given, Table& table) {
   }
   table.add({"\"" + family.name + "\"", cell(tiling.vertices), cell(kappa), cell(tiling.certificates_max),
              cell(at_start), cell(pointed.certificates_max()), lines ? cell(ConvexSeparation::certificates) : "",
-             cell(tiling.events), cell(pointed.events()), lines ? cell(lines->events()) : ""});
+             cell(tiling.events), cell(pointed.events()), lines ? cell(lines->events()) : "",
+             cell(tiling.seconds * 1e3, 3), cell(spacetime_ms(scene), 3)});
 }
 
 /// The last row of a family: the largest scene.
@@ -119,9 +129,9 @@ Plot plot_of_pairs(const Table& table) {
 }  // namespace
 
 void study_structures(Output& output) {
-  Table table("structures",
-              {"family", "n", "kappa_start", "tiling_certificates", "pointed_certificates_start",
-               "pointed_certificates", "lines_certificates", "tiling_events", "pointed_events", "lines_events"});
+  Table table("structures", {"family", "n", "kappa_start", "tiling_certificates", "pointed_certificates_start",
+                             "pointed_certificates", "lines_certificates", "tiling_events", "pointed_events",
+                             "lines_events", "tiling_ms", "spacetime_ms"});
   for (const PairFamily& family : pair_families()) {
     for (int n = family.smallest; n <= family.largest; n *= 2) measure_pair(family, family.make(n), table);
   }
