@@ -104,7 +104,7 @@ class UniformRotation {
   Spin to_p_, to_q_, relative_;  ///< for conj(x_P) and conj(x_Q), and for conj(x_P) x_Q
   bool aligned_ = false;
   std::optional<Way> constant_way_;
-  mutable std::array<Bounds, 6> kept_;  ///< the ones used last
+  mutable std::array<Bounds, 3> kept_;  ///< the ones used last
   mutable std::size_t next_ = 0;
   mutable std::unique_ptr<Precise> precise_;  ///< made on first use: few segments need more than doubles
 };
