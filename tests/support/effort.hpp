@@ -30,9 +30,17 @@ inline std::uint64_t one_of() {
   return watched && tenth ? 40 : watched || tenth ? 10 : 1;
 }
 
+/// How many times more rounds to go: TAUT_EFFORT=x50 makes a soak of any random test.
+inline std::uint64_t soak_times() {
+  static const char* const said = std::getenv("TAUT_EFFORT");
+  static const long n = said && *said == 'x' ? std::strtol(said + 1, nullptr, 10) : 1;
+  return n > 0 ? static_cast<std::uint64_t>(n) : 1;
+}
+
 /// How many of n rounds to go. Where a tenth is few, it is not made fewer.
 inline std::uint64_t effort(std::uint64_t n) {
   constexpr std::uint64_t few = 20;
+  n *= soak_times();
   return one_of() <= 10 ? n / one_of() : std::max(n / one_of(), std::min(n / 10, few));
 }
 
