@@ -217,7 +217,7 @@ expect 2 '' 'give a lift at which it is free at all times' follow valve.json --b
 expect 2 '' 'instants: they are not' follow valve.json --body plate --reach 2 --instants 0
 expect 2 '' '--body: there is no body "late"' follow valve.json --body late --reach 2
 expect 2 '' '--reach' follow valve.json --body plate
-expect 3 '' 'the time limit was reached' follow valve.json --body plate --reach 2 --max-seconds 0
+expect 3 'undecided on .0, 1.: the time limit was reached' '' follow valve.json --body plate --reach 2 --max-seconds 0
 expect 2 '' 'way.pdf: the name does not say which form is wanted' swept primitive.json -o way.pdf
 expect 2 '' '--body: there is no body "car"' swept primitive.json --body car
 expect 2 '' 'the tolerance is too small' swept primitive.json --tolerance 1e-12

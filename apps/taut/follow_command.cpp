@@ -29,6 +29,13 @@ std::string in_words(const Scene& scene, BodyId body, const FollowOptions& optio
   const std::string& name = scene.bodies[static_cast<std::size_t>(body)].name;
   const std::vector<Lift>& lifts = answer.lifts;
   const std::string grounds = grounds_text(scene, answer.coverage);
+  std::string open;
+  if (!answer.undecided.empty()) {
+    const std::size_t more = answer.undecided.size() - 1;
+    open = fmt::format("  undecided on [{}, {}]{}: {}\n", answer.undecided[0].lo, answer.undecided[0].hi,
+                       more > 0 ? fmt::format(" and {} other stretches of time", more) : "", answer.reason);
+    if (lifts.empty()) return fmt::format("UNDECIDED  {}   on [{}, {}]\n", name, scene.start, scene.end) + open;
+  }
   if (lifts.empty())
     return fmt::format("NOT LIFTED  {}   on [{}, {}]\n", name, scene.start, scene.end) + grounds +
            fmt::format("  at {} instants nothing reaches up to where it is drawn\n", options.instants);
@@ -39,7 +46,8 @@ std::string in_words(const Scene& scene, BodyId body, const FollowOptions& optio
   for (const Lift& at : lifts) widest = std::max(widest, at.lift[1] - at.lift[0]);
   return fmt::format("LIFTED  {}   on [{}, {}]\n", name, scene.start, scene.end) + grounds +
          fmt::format("  at {} of {} instants, from {} to {}\n  known to {:.3g}\n", lifts.size(), options.instants,
-                     extreme(*low), extreme(*high), widest);
+                     extreme(*low), extreme(*high), widest) +
+         open;
 }
 
 int run_follow(const FollowArguments& arguments) {
@@ -52,10 +60,11 @@ int run_follow(const FollowArguments& arguments) {
   });
   if (!arguments.csv.empty()) write_output(arguments.csv, follow_csv(answer));
   // What goes to standard output is one thing.
-  if (arguments.csv == "-") return exit_free;
+  const int code = answer.undecided.empty() ? exit_free : exit_undecided;
+  if (arguments.csv == "-") return code;
   print_text(arguments.json ? follow_json(scene, body, options, answer) + "\n"
                             : in_words(scene, body, options, answer));
-  return exit_free;
+  return code;
 }
 
 }  // namespace
@@ -87,7 +96,7 @@ void add_follow(const Command& app, Action& action) {
       "known\n"
       "where nothing reaches up to there. Every instant and every lift is enclosed; what touches only between two "
       "instants is\n"
-      "not seen.\n");
+      "not seen. Exit code 3 if some of the time is undecided.\n");
   command.on_chosen([&action, arguments] { action = [arguments] { return run_follow(*arguments); }; });
 }
 

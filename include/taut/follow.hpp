@@ -30,6 +30,8 @@ struct Lift {
 /// The answer of follow().
 struct FollowAnswer {
   std::vector<Lift> lifts;                     ///< in order of time
+  std::vector<TimeInterval> undecided;         ///< stretches of time whose instants are not decided, in order
+  std::string reason;                          ///< why the first of these is not; empty if there are none
   Coverage coverage;                           ///< of pairs with the follower; the others are not asked about
   std::optional<CurveGeometry> geometry = {};  ///< of a scene with curves
 };
@@ -43,8 +45,8 @@ struct FollowAnswer {
 /// Assumes that a spring presses the follower onto the cam at all times. What touches only between two instants is not
 /// seen.
 ///
-/// Throws InputError, also where the follower does not clear the others at `reach`, or no pair with it is tested;
-/// UndecidedError.
+/// What a limit, or a coincidence, leaves open is listed as undecided. Throws InputError, also where the follower does
+/// not clear the others at `reach`, or no pair with it is tested.
 FollowAnswer follow(const Scene& scene, BodyId follower, Point direction, double reach,
                     const FollowOptions& options = {});
 
@@ -52,7 +54,7 @@ FollowAnswer follow(const Scene& scene, BodyId follower, Point direction, double
 Point direction_of(double degrees);
 
 /// {"body": name, "instants": n, "lifts": [{"t": [lo, hi], "lift": [lo, hi], "vertex": {...}, "edge": {...}}, ...]},
-/// with what was tested, on one line.
+/// with what was tested and, if some of the time is undecided, "undecided" and "reason", on one line.
 std::string follow_json(const Scene& scene, BodyId follower, const FollowOptions& options, const FollowAnswer& answer);
 /// A table with the columns t_lo, t_hi, lift_lo and lift_hi.
 std::string follow_csv(const FollowAnswer& answer);

@@ -29,12 +29,15 @@ class Lift:
 @dataclass(frozen=True)
 class FollowAnswer:
     """The lifts of ``body`` in order of time. Of ``instants``, those are left out at which nothing reaches up to where the
-    scene has the follower: there the lift is 0 or less. ``coverage``: of pairs with the follower. ``json`` is what ``taut follow --json`` prints."""
+    scene has the follower: there the lift is 0 or less. ``undecided``: stretches of time whose instants are not decided,
+    and ``reason`` why the first of them is not. ``coverage``: of pairs with the follower. ``json`` is what ``taut follow --json`` prints."""
 
     body: str
     instants: int
     lifts: tuple[Lift, ...]
     coverage: Coverage
+    undecided: tuple[tuple[float, float], ...]
+    reason: Optional[str]
     json: str = field(repr=False, compare=False)
 
 
@@ -47,7 +50,7 @@ def follow(scene: Scene, body: str, reach: float, *, direction_deg: float = 90, 
     way from ``reach`` down to there at that instant, up to rounding of the places. ``direction_deg``: along
     which it is lifted, counterclockwise from the x axis. Assumes that a spring presses the follower onto the cam at all
     times. What touches only between two instants is not seen. InputError if the scene is not valid, there is no such body,
-    it does not clear the others at ``reach``, or no pair with it is tested; UndecidedError after ``max_seconds``.
+    it does not clear the others at ``reach``, or no pair with it is tested. What is open after ``max_seconds`` is in ``undecided``.
     """
     with _plain_places():
         text, _, _ = ask("follow", scene_text(scene), body=body, reach=number(reach, "reach"),
@@ -56,4 +59,5 @@ def follow(scene: Scene, body: str, reach: float, *, direction_deg: float = 90, 
     value = json.loads(text)
     lifts = tuple(Lift((at["t"][0], at["t"][1]), (at["lift"][0], at["lift"][1]), VertexRef(**at["vertex"]),
                        EdgeRef(**at["edge"])) for at in value["lifts"])
-    return FollowAnswer(value["body"], value["instants"], lifts, Coverage(**value["coverage"]), text)
+    return FollowAnswer(value["body"], value["instants"], lifts, Coverage(**value["coverage"]),
+                        tuple((lo, hi) for lo, hi in value.get("undecided", ())), value.get("reason"), text)

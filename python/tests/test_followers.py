@@ -25,8 +25,10 @@ def test_a_plate_on_a_square():
     assert taut2d.follow(above, "plate", 2).lifts == ()
     with pytest.raises(taut2d.InputError, match="free at all times"):
         taut2d.follow(scene, "plate", 0.1)
-    with pytest.raises(taut2d.UndecidedError):
-        taut2d.follow(scene, "plate", 2, max_seconds=0)
+    assert (found.undecided, found.reason) == ((), None)
+    stopped = taut2d.follow(scene, "plate", 2, max_seconds=0)
+    assert (stopped.lifts, stopped.undecided) == ((), ((0, 1),))
+    assert "limit" in stopped.reason
 
 
 def simulation(motion):

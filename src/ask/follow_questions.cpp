@@ -20,6 +20,10 @@ std::string follow_json(const Scene& scene, BodyId follower, const FollowOptions
         json.edge("edge", lift.edge);
       });
     });
+    if (!answer.undecided.empty()) {
+      json.key("undecided").array(answer.undecided, [&](const TimeInterval& t) { json.numbers({t.lo, t.hi}); });
+      json.member("reason", answer.reason);
+    }
     json.grounds(answer.geometry, answer.coverage);
     json.scope(options.touch);
   });

@@ -83,14 +83,34 @@ class FollowerSearch {
         given_(given) {}
 
   FollowAnswer run() {
+    answer_.coverage.pairs = answer_.coverage.not_reached = scene_.bodies.size() - 1;
     for (std::size_t k = 0; k < given_.instants; ++k) {
       report_parts("instants", k, given_.instants);
-      search(boundary(k), boundary(k + 1));
+      try {
+        search(boundary(k), boundary(k + 1));
+      } catch (const UndecidedError& error) {
+        const bool last = is_stopped();
+        note_undecided({boundary(k), last ? scene_.end : boundary(k + 1)}, error.what());
+        if (last) break;
+      }
     }
     return std::move(answer_);
   }
 
  private:
+  bool is_stopped() const {
+    return (given_.limits.stop && *given_.limits.stop) || time_left(given_.limits.max_seconds, began_) <= 0;
+  }
+  void note_undecided(const TimeInterval& stretch, const char* reason) {
+    std::vector<TimeInterval>& all = answer_.undecided;
+    if (all.empty()) answer_.reason = reason;
+    if (!all.empty() && all.back().hi == stretch.lo) {
+      all.back().hi = stretch.hi;
+    } else {
+      all.push_back(stretch);
+    }
+  }
+
   double boundary(std::size_t k) const {
     const double share = static_cast<double>(k) / static_cast<double>(given_.instants);
     return k == given_.instants ? scene_.end : scene_.start + (scene_.end - scene_.start) * share;

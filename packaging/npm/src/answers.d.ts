@@ -471,6 +471,10 @@ export interface FollowAnswer {
   body: string;
   instants: number;
   lifts: { t: [number, number]; lift: [number, number]; vertex: Feature; edge: Feature }[];
+  /** Stretches of time whose instants are not decided; absent if there are none. */
+  undecided?: [number, number][];
+  /** Why the first of these is not. */
+  reason?: string;
   geometry?: { tolerance: number; segments: number };
   /** Of pairs with the follower. */
   coverage: Coverage;
