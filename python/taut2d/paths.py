@@ -188,7 +188,7 @@ def path(problem: PathProblem, *, touch: Touch = "open", clearance: float = 0.0,
 
     The answer is a way, each instant of which is proved free, or the proof that there is none. Boxes of joint values are
     divided where they would connect the start and the goal, until they are free or collide for all values in them. Where
-    one body only translates along the axes, exact signs decide.
+    one body only translates, by one slide or two, exact signs decide.
 
     ``touch``: "open": bodies may touch all of the way; "closed": never. ``clearance``: keep at least this distance all of
     the way, whatever ``touch`` says. ``tolerance``: boxes are divided down to this share of each joint's range, from 1e-9 to

@@ -18,55 +18,52 @@ std::size_t lowest(const Polygon& ring) {
 }
 
 /// The middle of the vertices, if it is strictly inside.
-std::optional<ExactPoint> middle_of(const Obstacle& ring) {
+std::optional<ExactPoint> middle_of(const ConvexRing& ring) {
   double x = 0, y = 0;
   for (const ExactPoint& p : ring) {
     x += p.near.x / static_cast<double>(ring.size());
     y += p.near.y / static_cast<double>(ring.size());
   }
   const ExactPoint middle = ExactPoint::of(Dyadic::exact(x), Dyadic::exact(y));
-  bool inside = false;
-  for (std::size_t k = 0; k < ring.size(); ++k) {
-    const ExactPoint &a = ring[k], &b = ring[(k + 1) % ring.size()];
-    if (a.x == b.x && a.y == b.y) continue;
-    if (orientation(a, b, middle) <= 0) return std::nullopt;
-    inside = true;
-  }
-  if (!inside) return std::nullopt;
+  if (!is_inside(ring, middle)) return std::nullopt;
   return middle;
 }
 
-AxisBox box_of(const Obstacle& ring) {
-  AxisBox box;
-  for (const ExactPoint& p : ring) box.include(p.near);
-  return box;
+/// A segment has one edge.
+template <class Visit>
+void for_each_edge(const ConvexRing& ring, const Visit& visit) {
+  const std::size_t n = ring.size();
+  for (std::size_t k = 0; k < (n == 2 ? 1 : n); ++k) {
+    if (n > 1) visit(ring[k], ring[(k + 1) % n]);
+  }
 }
 
-/// More than points are rounded by.
-AxisBox enlarged(const AxisBox& box) {
-  const double margin =
-      0x1p-48 * std::max({std::fabs(box.lo_x), std::fabs(box.lo_y), std::fabs(box.hi_x), std::fabs(box.hi_y)});
-  return {box.lo_x - margin, box.lo_y - margin, box.hi_x + margin, box.hi_y + margin};
+double distance(const ExactPoint& a, const ExactPoint& b) {
+  return std::hypot(b.near.x - a.near.x, b.near.y - a.near.y);
+}
+
+/// What is known of a point on the way.
+struct Node {
+  ExactPoint at;
+  double length = INFINITY;  ///< of the shortest way to it that was found
+  std::size_t before = 0;
+  bool is_goal = false, is_done = false;
+};
+
+std::vector<ExactPoint> way_to(const std::vector<Node>& nodes, std::size_t last) {
+  std::vector<ExactPoint> way = {nodes[last].at};
+  for (std::size_t i = last; i != 0; i = nodes[i].before) way.push_back(nodes[nodes[i].before].at);
+  std::reverse(way.begin(), way.end());
+  return way;
 }
 
 }  // namespace
 
-int orientation(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c) {
-  const double left = (b.near.x - a.near.x) * (c.near.y - a.near.y),
-               right = (b.near.y - a.near.y) * (c.near.x - a.near.x);
-  // Each rounded coordinate is off by 2^-53 of its size at the most, and so are the operations.
-  const double size = std::max({std::fabs(a.near.x), std::fabs(a.near.y), std::fabs(b.near.x), std::fabs(b.near.y),
-                                std::fabs(c.near.x), std::fabs(c.near.y)});
-  if (std::fabs(left - right) > 0x1p-46 * size * size) return left > right ? 1 : -1;
-  return ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)).sign();
-}
-
-Obstacle forbidden(const Polygon& rest, const Polygon& mover, const Dyadic& offset_x, const Dyadic& offset_y,
-                   const Dyadic& growth) {
+ConvexRing forbidden(const Polygon& rest, const Polygon& mover, const Dyadic& offset_x, const Dyadic& offset_y) {
   Polygon mirrored;
   for (const Point& p : mover) mirrored.push_back(minus(p));
   const std::size_t n = rest.size(), m = mirrored.size(), first = lowest(rest), second = lowest(mirrored);
-  Obstacle sum;
+  ConvexRing sum;
   for (std::size_t i = 0, k = 0; i < n || k < m;) {
     const Point &a = rest[(first + i) % n], &b = rest[(first + i + 1) % n];
     const Point &c = mirrored[(second + k) % m], &d = mirrored[(second + k + 1) % m];
@@ -76,39 +73,39 @@ Obstacle forbidden(const Polygon& rest, const Polygon& mover, const Dyadic& offs
     if (turn >= 0) ++i;
     if (turn <= 0) ++k;
   }
-  if (growth.is_zero()) return sum;
-  const std::optional<ExactPoint> middle = middle_of(sum);
-  if (!middle) return {};
-  for (ExactPoint& p : sum) p = ExactPoint::of(p.x + growth * (p.x - middle->x), p.y + growth * (p.y - middle->y));
   return sum;
 }
 
-DisplacementGraph::DisplacementGraph(std::vector<Obstacle> obstacles, const AxisBox& range)
-    : obstacles_(std::move(obstacles)) {
-  for (const Obstacle& obstacle : obstacles_) boxes_.push_back(enlarged(box_of(obstacle)));
-  const Dyadic lo_x = Dyadic::exact(range.lo_x), lo_y = Dyadic::exact(range.lo_y), hi_x = Dyadic::exact(range.hi_x),
-               hi_y = Dyadic::exact(range.hi_y);
-  const AxisBox roughly = enlarged(range);
-  for (const Obstacle& obstacle : obstacles_) {
+std::optional<ConvexRing> enlarged_by(const ConvexRing& ring, const Dyadic& share) {
+  const std::optional<ExactPoint> middle = middle_of(ring);
+  if (!middle) return std::nullopt;
+  ConvexRing larger;
+  for (const ExactPoint& p : ring)
+    larger.push_back(ExactPoint::of(p.x + share * (p.x - p.w * middle->x), p.y + share * (p.y - p.w * middle->y), p.w));
+  return larger;
+}
+
+bool DisplacementGoal::contains(const ExactPoint& p) const {
+  return path::contains(region, p) &&
+         std::none_of(excluded.begin(), excluded.end(), [&](const ConvexRing& ring) { return is_inside(ring, p); });
+}
+
+DisplacementGraph::DisplacementGraph(std::vector<ConvexRing> obstacles, ConvexRing range)
+    : obstacles_(std::move(obstacles)), range_(std::move(range)) {
+  for (const ConvexRing& obstacle : obstacles_) boxes_.push_back(bounds_of(obstacle));
+  const AxisBox around = bounds_of(range_);
+  for (const ConvexRing& obstacle : obstacles_) {
     checkpoint();
     for (const ExactPoint& p : obstacle) {
-      if (!roughly.meets(AxisBox(p.near, p.near))) continue;
-      if ((p.x - lo_x).sign() < 0 || (hi_x - p.x).sign() < 0 || (p.y - lo_y).sign() < 0 || (hi_y - p.y).sign() < 0)
-        continue;
-      if (is_free(p)) corners_.push_back(p);
+      if (around.meets(bounds_of(p, p)) && contains(range_, p) && is_free(p)) corners_.push_back(p);
     }
   }
 }
 
 bool DisplacementGraph::is_free(const ExactPoint& p) const {
-  const AxisBox at = enlarged(AxisBox(p.near, p.near));
+  const AxisBox at = bounds_of(p, p);
   for (std::size_t i = 0; i < obstacles_.size(); ++i) {
-    if (!boxes_[i].meets(at)) continue;
-    const Obstacle& ring = obstacles_[i];
-    bool inside = true;
-    for (std::size_t k = 0; k < ring.size() && inside; ++k)
-      inside = orientation(ring[k], ring[(k + 1) % ring.size()], p) > 0;
-    if (inside) return false;
+    if (boxes_[i].meets(at) && is_inside(obstacles_[i], p)) return false;
   }
   return true;
 }
@@ -116,63 +113,98 @@ bool DisplacementGraph::is_free(const ExactPoint& p) const {
 /// The segment does not meet the inside of a convex polygon if and only if one of the polygon's edges, or the segment
 /// itself, has them on two sides.
 bool DisplacementGraph::passes(const ExactPoint& a, const ExactPoint& b) const {
-  const AxisBox around = enlarged(AxisBox(a.near, b.near));
+  if (same(a, b)) return true;
+  const AxisBox around = bounds_of(a, b);
   for (std::size_t i = 0; i < obstacles_.size(); ++i) {
     if (!boxes_[i].meets(around)) continue;
     checkpoint();
-    const Obstacle& ring = obstacles_[i];
+    const ConvexRing& ring = obstacles_[i];
     bool left = false, right = false, separated = false;
     for (const ExactPoint& p : ring) {
-      const int side = orientation(a, b, p);
+      const int side = turn_sign(a, b, p);
       left = left || side > 0;
       right = right || side < 0;
     }
     separated = !left || !right;
     for (std::size_t k = 0; k < ring.size() && !separated; ++k) {
       const ExactPoint &c = ring[k], &d = ring[(k + 1) % ring.size()];
-      separated = orientation(c, d, a) <= 0 && orientation(c, d, b) <= 0;
+      separated = turn_sign(c, d, a) <= 0 && turn_sign(c, d, b) <= 0;
     }
     if (!separated) return false;
   }
   return true;
 }
 
-/// Dijkstra's algorithm; which corners are seen from one is asked when it is reached.
-std::optional<std::vector<ExactPoint>> DisplacementGraph::way(const ExactPoint& from,
-                                                              const std::vector<ExactPoint>& goals) const {
-  std::vector<const ExactPoint*> nodes = {&from};
-  for (const ExactPoint& corner : corners_) nodes.push_back(&corner);
-  const std::size_t first_goal = nodes.size();
-  for (const ExactPoint& goal : goals) {
-    if (is_free(goal)) nodes.push_back(&goal);
+bool DisplacementGraph::is_entry(const ExactPoint& p, const DisplacementGoal& goal) const {
+  return contains(range_, p) && goal.contains(p) && is_free(p);
+}
+
+/// A way that reaches the goal does so on one of the edges, and can go along it to where what is free of the edge ends:
+/// there a corner is, or another edge crosses it.
+std::vector<ExactPoint> DisplacementGraph::entries(const DisplacementGoal& goal, const std::vector<Edge>& edges) const {
+  std::vector<ExactPoint> found;
+  const auto add = [&](const ExactPoint& p) {
+    if (is_entry(p, goal)) found.push_back(p);
+  };
+  for (const ExactPoint& p : goal.region) add(p);
+  for (const Edge& edge : edges) {
+    add(edge[0]);
+    add(edge[1]);
+    const AxisBox around = bounds_of(edge[0], edge[1]);
+    const auto add_meeting = [&](const ExactPoint& a, const ExactPoint& b) {
+      checkpoint();
+      if (!around.meets(bounds_of(a, b))) return;
+      if (const auto meeting = meeting_point(edge[0], edge[1], a, b)) add(*meeting);
+    };
+    for (const Edge& other : edges) add_meeting(other[0], other[1]);
+    for_each_edge(range_, add_meeting);
+    for (std::size_t i = 0; i < obstacles_.size(); ++i) {
+      if (boxes_[i].meets(around)) for_each_edge(obstacles_[i], add_meeting);
+    }
   }
+  return found;
+}
+
+/// Dijkstra's algorithm; which corners are seen from one is asked when it is reached. From each, the points of the
+/// goal's edges that are straight across are goals as well.
+std::optional<std::vector<ExactPoint>> DisplacementGraph::way(const ExactPoint& from,
+                                                              const DisplacementGoal& goal) const {
   if (!is_free(from)) return std::nullopt;
-  std::vector<double> length(nodes.size(), INFINITY);
-  std::vector<std::size_t> before(nodes.size(), 0);
-  std::vector<bool> done(nodes.size(), false);
-  length[0] = 0;
+  if (goal.contains(from)) return std::vector<ExactPoint>{from};
+  std::vector<Edge> edges;
+  const auto add_edge = [&](const ExactPoint& a, const ExactPoint& b) { edges.push_back({a, b}); };
+  // With excluded polygons, the region is the range, and a way reaches the goal where it leaves the last of them.
+  if (goal.excluded.empty()) for_each_edge(goal.region, add_edge);
+  for (const ConvexRing& ring : goal.excluded) for_each_edge(ring, add_edge);
+  std::vector<Node> nodes = {{from, 0}};
+  for (const ExactPoint& corner : corners_) nodes.push_back({corner});
+  for (ExactPoint& entry : entries(goal, edges)) {
+    nodes.push_back({std::move(entry)});
+    nodes.back().is_goal = true;
+  }
   for (;;) {
     std::size_t next = nodes.size();
     for (std::size_t i = 0; i < nodes.size(); ++i) {
-      if (!done[i] && length[i] < INFINITY && (next == nodes.size() || length[i] < length[next])) next = i;
+      if (!nodes[i].is_done && nodes[i].length < INFINITY &&
+          (next == nodes.size() || nodes[i].length < nodes[next].length))
+        next = i;
     }
     if (next == nodes.size()) return std::nullopt;
-    done[next] = true;
-    if (next >= first_goal) {
-      std::vector<ExactPoint> way;
-      for (std::size_t i = next;; i = before[i]) {
-        way.insert(way.begin(), *nodes[i]);
-        if (i == 0) return way;
-      }
+    nodes[next].is_done = true;
+    if (nodes[next].is_goal) return way_to(nodes, next);
+    const ExactPoint at = nodes[next].at;
+    const double length = nodes[next].length;
+    for (Node& node : nodes) {
+      const double d = length + distance(at, node.at);
+      if (node.is_done || d >= node.length || !passes(at, node.at)) continue;
+      node.length = d;
+      node.before = next;
     }
-    for (std::size_t i = 1; i < nodes.size(); ++i) {
-      if (done[i]) continue;
-      const double d =
-          length[next] + std::hypot(nodes[i]->near.x - nodes[next]->near.x, nodes[i]->near.y - nodes[next]->near.y);
-      const bool same = nodes[i]->x == nodes[next]->x && nodes[i]->y == nodes[next]->y;
-      if (d >= length[i] || !(same || passes(*nodes[next], *nodes[i]))) continue;
-      length[i] = d;
-      before[i] = next;
+    for (const Edge& edge : edges) {
+      std::optional<ExactPoint> foot = foot_point(at, edge[0], edge[1]);
+      if (!foot || !is_entry(*foot, goal) || !passes(at, *foot)) continue;
+      const double d = length + distance(at, *foot);
+      nodes.push_back({std::move(*foot), d, next, true});
     }
   }
 }

@@ -1,13 +1,13 @@
 #include "path/translations.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <set>
 
+#include "path/boxes_overlap.hpp"
 #include "path/convex_pieces.hpp"
 #include "path/displacement_graph.hpp"
-#include "path/goal.hpp"
+#include "path/slides.hpp"
 #include "scene/ring_set.hpp"
 
 namespace taut::internal::path {
@@ -16,216 +16,209 @@ namespace {
 /// Above, cells are faster.
 constexpr std::size_t most_obstacles = 4000;
 
-/// How the body is displaced: by `offset`, and by the axes' joints times 1 or another power of two, if it moves.
-struct Slides {
-  Dyadic offset_x, offset_y;
-  std::optional<int> joint_x, joint_y;
-  double times_x = 0, times_y = 0;
-
-  bool moves() const { return joint_x || joint_y; }
-  bool like(const Slides& o) const {
-    return joint_x == o.joint_x && joint_y == o.joint_y && times_x == o.times_x && times_y == o.times_y;
-  }
+/// A convex piece of a body, and the layers that it reaches through.
+struct Piece {
+  Polygon outline;
+  Layers z;
 };
-
-bool is_power_of_two(double x) {
-  int exponent = 0;
-  return x != 0 && std::fabs(std::frexp(x, &exponent)) == 0.5;
-}
-
-/// Adds a motion, if it is along an axis and exact.
-bool add(Slides& slides, const JointMotion& motion) {
-  const auto* slide = std::get_if<Slide>(&motion.kind);
-  if (!slide || (slide->direction.x != 0) == (slide->direction.y != 0)) return false;
-  const bool along_x = slide->direction.x != 0;
-  const double direction = along_x ? slide->direction.x : slide->direction.y, times = motion.times * direction;
-  if (!is_power_of_two(motion.times) || !is_power_of_two(direction)) return false;
-  std::optional<int>& joint = along_x ? slides.joint_x : slides.joint_y;
-  if (joint) return false;
-  joint = motion.joint;
-  (along_x ? slides.times_x : slides.times_y) = times;
-  Dyadic& offset = along_x ? slides.offset_x : slides.offset_y;
-  offset = offset + Dyadic::exact(motion.plus) * Dyadic::exact(direction);
-  return true;
-}
 
 class Translation {
  public:
-  Translation(const PathProblem& problem, const JointSpace& space) : problem_(problem), space_(space) {
-    valid_ = find_slides() && find_pieces();
+  /// Nothing if the problem is of another kind.
+  static std::optional<Translation> of(const PathProblem& problem, const JointSpace& space) {
+    Translation translation(problem, space);
+    const bool valid = translation.find_slides() && translation.find_pieces() && translation.find_obstacles() &&
+                       translation.find_goal();
+    return valid ? std::optional(std::move(translation)) : std::nullopt;
   }
-  bool valid() const { return valid_; }
 
-  std::optional<std::vector<JointValues>> way(const Dyadic& growth, bool& decided) const {
-    std::vector<Obstacle> obstacles;
-    decided = true;
-    for (const auto& pair : space_.pairs().pairs()) {
-      const auto [a, b] = pair->bodies;
-      const bool first = slides_of(a).moves();
-      const int mover = first ? a : b, rest = first ? b : a;
-      for (const Polygon& moving : pieces_.at(mover)) {
-        for (const Polygon& resting : pieces_.at(rest)) {
-          obstacles.push_back(forbidden(resting, moving, slides_of(rest).offset_x - slides_of(mover).offset_x,
-                                        slides_of(rest).offset_y - slides_of(mover).offset_y, growth));
-          if (obstacles.back().empty()) decided = false;
-        }
-      }
-    }
-    if (!decided) return std::nullopt;
-    const DisplacementGraph graph(std::move(obstacles), range());
-    const auto found = graph.way(displaced(problem_.start), goals());
-    if (!found) return std::nullopt;
-    return values_of(*found);
+  using Way = std::optional<std::vector<JointValues>>;
+  /// The shortest way past obstacles that are larger by this share. `decided`: whether there are such obstacles.
+  Way way(const Dyadic& growth, bool& decided) const {
+    const auto obstacles = enlarged(obstacles_, growth);
+    decided = obstacles.has_value();
+    return decided ? way(*obstacles, goal_) : std::nullopt;
   }
-  std::size_t obstacles() const {
-    std::size_t n = 0;
-    for (const auto& pair : space_.pairs().pairs())
-      n += pieces_.at(pair->bodies[0]).size() * pieces_.at(pair->bodies[1]).size();
-    return n;
+  /// The same with some room to the obstacles, but for those that the start has no room to, and to what is not outside.
+  Way roomy_way(const Dyadic& growth) const {
+    const auto obstacles = enlarged(obstacles_, growth, map_->displaced(problem_.start)),
+               excluded = enlarged(goal_.excluded, growth);
+    return obstacles && excluded ? way(*obstacles, {goal_.region, *excluded}) : std::nullopt;
+  }
+  /// The joints' ranges hold; is it out of the way of all that it has to be?
+  bool is_goal(const JointValues& values) const {
+    return goal_.excluded.empty() || goal_.contains(map_->displaced(values));
   }
 
  private:
-  const Slides& slides_of(int body) const { return slides_[static_cast<std::size_t>(body)]; }
-  const Joint& joint_x() const { return problem_.linkage.joints[static_cast<std::size_t>(*mover_.joint_x)]; }
-  const Joint& joint_y() const { return problem_.linkage.joints[static_cast<std::size_t>(*mover_.joint_y)]; }
+  Translation(const PathProblem& problem, const JointSpace& space) : problem_(problem), space_(space) {}
 
-  /// Every body that is tested follows both axes in the same way, or does not move.
+  const Slides& slides(int body) const { return slides_.at(body); }
+  bool moves(int body) const { return slides(body).moves(); }
+
+  /// All that is tested and moves follows the joints in the same way.
   bool find_slides() {
-    const std::vector<Body>& bodies = problem_.linkage.scene.bodies;
-    std::map<std::string, std::size_t> by_name;
-    for (std::size_t i = 0; i < bodies.size(); ++i) by_name[bodies[i].name] = i;
     std::set<int> asked;
     for (const auto& pair : space_.pairs().pairs()) asked.insert(pair->bodies.begin(), pair->bodies.end());
-    slides_.resize(bodies.size());
-    for (const int i : asked) {
-      Slides& slides = slides_[static_cast<std::size_t>(i)];
-      for (auto body = static_cast<std::size_t>(i);; body = by_name.at(bodies[body].relative_to)) {
-        const auto& motion = problem_.linkage.motions[body];
-        for (const JointMotion& m : motion ? single_motions(*motion) : std::vector<JointMotion>()) {
-          if (!add(slides, m)) return false;
-        }
-        if (bodies[body].relative_to.empty()) break;
-      }
+    const Slides* mover = nullptr;
+    for (const int body : asked) {
+      const std::optional<Slides> found = slides_of(problem_.linkage, body);
+      if (!found) return false;
+      const Slides& slides = slides_.emplace(body, *found).first->second;
       if (!slides.moves()) continue;
-      if (!slides.joint_x || !slides.joint_y || *slides.joint_x == *slides.joint_y) return false;
-      if (mover_.moves() && !mover_.like(slides)) return false;
-      mover_ = slides;
+      if (mover && !mover->moves_like(slides)) return false;
+      mover = &slides;
     }
-    return mover_.moves();
+    if (!mover) return false;
+    map_ = SlideMap::of(*mover);
+    if (!map_) return false;
+    const auto [lo, hi] = ranges();
+    range_ = map_->displaced(lo, hi);
+    return true;
   }
-  /// Of bodies that have no layers: each of these would be a body of its own.
   bool find_pieces() {
-    const std::vector<Body>& bodies = problem_.linkage.scene.bodies;
-    if (space_.pairs().world().bodies().size() != bodies.size()) return false;
     for (const auto& pair : space_.pairs().pairs()) {
       for (const int body : pair->bodies) {
         if (pieces_.count(body)) continue;
-        for (const Part& part : parts_of(bodies[static_cast<std::size_t>(body)])) {
-          const auto pieces = convex_pieces(part);
-          if (!pieces) return false;
-          pieces_[body].insert(pieces_[body].end(), pieces->begin(), pieces->end());
+        const Body& of_scene = problem_.linkage.scene.bodies[static_cast<std::size_t>(body)];
+        for (const Part& part : parts_of(of_scene)) {
+          const auto outlines = convex_pieces(part);
+          if (!outlines) return false;
+          for (const Polygon& outline : *outlines) pieces_[body].push_back({outline, part.z.value_or(of_scene.z)});
         }
       }
     }
-    return obstacles() <= most_obstacles;
+    return true;
   }
-
-  ExactPoint displaced(const JointValues& values) const {
-    return ExactPoint::of(
-        Dyadic::exact(values[static_cast<std::size_t>(*mover_.joint_x)]) * Dyadic::exact(mover_.times_x),
-        Dyadic::exact(values[static_cast<std::size_t>(*mover_.joint_y)]) * Dyadic::exact(mover_.times_y));
-  }
-  AxisBox range() const {
-    return {Point{joint_x().lo * mover_.times_x, joint_y().lo * mover_.times_y},
-            Point{joint_x().hi * mover_.times_x, joint_y().hi * mover_.times_y}};
-  }
-  /// Of a range, the point of it that is nearest to the start, its corners and its middle.
-  std::vector<ExactPoint> goals() const {
-    std::vector<ExactPoint> found;
-    const auto choices = [&](int joint) {
-      const auto k = static_cast<std::size_t>(joint);
-      const Joint& j = problem_.linkage.joints[k];
-      const auto goal = problem_.goal[k] ? *problem_.goal[k] : std::array<double, 2>{j.lo, j.hi};
-      const double lo = std::max(goal[0], j.lo), hi = std::min(goal[1], j.hi);
-      return std::array<double, 4>{lo, hi, lo + (hi - lo) / 2, std::clamp(problem_.start[k], lo, hi)};
-    };
-    for (const double x : choices(*mover_.joint_x)) {
-      for (const double y : choices(*mover_.joint_y)) {
-        JointValues values{};
-        values[static_cast<std::size_t>(*mover_.joint_x)] = x;
-        values[static_cast<std::size_t>(*mover_.joint_y)] = y;
-        found.push_back(displaced(values));
+  /// False if there are too many, or two bodies overlap that move alike.
+  bool find_obstacles() {
+    std::set<std::array<BodyId, 2>> pairs;
+    for (const auto& pair : space_.pairs().pairs()) pairs.insert(pair->bodies);
+    const ExactPoint nowhere = ExactPoint::of({}, {});
+    for (const auto& [a, b] : pairs) {
+      const int mover = moves(a) ? a : b, rest = moves(a) ? b : a;
+      const ExactVector &own = slides(mover).offset, &other = slides(rest).offset;
+      for (const Piece& moving : pieces_.at(mover)) {
+        for (const Piece& resting : pieces_.at(rest)) {
+          if (!moving.z.meet(resting.z)) continue;
+          ConvexRing ring = forbidden(resting.outline, moving.outline, other.x - own.x, other.y - own.y);
+          if (!moves(rest)) {
+            obstacles_.push_back(std::move(ring));
+          } else if (is_inside(ring, nowhere)) {
+            return false;
+          }
+          if (obstacles_.size() > most_obstacles) return false;
+        }
       }
     }
-    return found;
+    return true;
+  }
+  /// Where the goal is outside, bodies count that are not tested. False if these move in other ways.
+  bool find_goal() {
+    goal_.region = range_;
+    if (problem_.goal_outside) {
+      auto excluded = boxes_overlap(problem_.linkage, *map_, space_.pairs());
+      if (excluded) goal_.excluded = std::move(*excluded);
+      return excluded.has_value();
+    }
+    JointValues lo{}, hi{};
+    for (std::size_t k = 0; k < space_.dimension(); ++k) {
+      const auto [from, to] = goal_range(k);
+      lo[k] = from;
+      hi[k] = to;
+    }
+    goal_.region = map_->displaced(lo, hi);
+    return true;
+  }
+  std::array<JointValues, 2> ranges() const {
+    std::array<JointValues, 2> range{};
+    for (std::size_t k = 0; k < space_.dimension(); ++k) {
+      range[0][k] = problem_.linkage.joints[k].lo;
+      range[1][k] = problem_.linkage.joints[k].hi;
+    }
+    return range;
+  }
+  /// What the goal says of the joint, within its range.
+  std::array<double, 2> goal_range(std::size_t k) const {
+    const Joint& joint = problem_.linkage.joints[k];
+    if (!problem_.goal[k]) return {joint.lo, joint.hi};
+    return {std::max((*problem_.goal[k])[0], joint.lo), std::min((*problem_.goal[k])[1], joint.hi)};
+  }
+
+  /// Those stay as they are that would hold the point.
+  static std::optional<std::vector<ConvexRing>> enlarged(const std::vector<ConvexRing>& rings, const Dyadic& growth,
+                                                         const std::optional<ExactPoint>& except = {}) {
+    if (growth.is_zero()) return rings;
+    std::vector<ConvexRing> larger;
+    for (const ConvexRing& ring : rings) {
+      std::optional<ConvexRing> one = enlarged_by(ring, growth);
+      if (!one) return std::nullopt;
+      larger.push_back(except && is_inside(*one, *except) ? ring : std::move(*one));
+    }
+    return larger;
+  }
+
+  Way way(const std::vector<ConvexRing>& obstacles, const DisplacementGoal& goal) const {
+    const auto found = DisplacementGraph(obstacles, range_).way(map_->displaced(problem_.start), goal);
+    if (!found) return std::nullopt;
+    return values_of(*found);
   }
   /// Joints that move nothing go to the goal with the last step.
   std::vector<JointValues> values_of(const std::vector<ExactPoint>& way) const {
-    std::vector<JointValues> all;
-    for (const ExactPoint& p : way) {
-      JointValues values = problem_.start;
-      values[static_cast<std::size_t>(*mover_.joint_x)] = p.near.x / mover_.times_x;
-      values[static_cast<std::size_t>(*mover_.joint_y)] = p.near.y / mover_.times_y;
-      all.push_back(values);
-    }
-    for (std::size_t k = 0; k < space_.dimension(); ++k) {
-      const int joint = static_cast<int>(k);
-      if (joint == *mover_.joint_x || joint == *mover_.joint_y || !problem_.goal[k]) continue;
-      all.back()[k] = std::clamp(problem_.start[k], (*problem_.goal[k])[0], (*problem_.goal[k])[1]);
+    std::vector<JointValues> all = {problem_.start};
+    for (std::size_t i = 1; i < way.size(); ++i) {
+      all.push_back(map_->values_at(way[i], problem_.start));
+      for (std::size_t k = 0; k < space_.dimension(); ++k)
+        all[i][k] = std::clamp(all[i][k], problem_.linkage.joints[k].lo, problem_.linkage.joints[k].hi);
     }
     if (all.size() == 1) all.push_back(all.front());
+    if (problem_.goal_outside) return all;
+    for (std::size_t k = 0; k < space_.dimension(); ++k) {
+      const auto [lo, hi] = goal_range(k);
+      all.back()[k] = std::clamp(all.back()[k], lo, hi);
+    }
     return all;
   }
 
   const PathProblem& problem_;
   const JointSpace& space_;
-  std::vector<Slides> slides_;
-  Slides mover_;
-  std::map<int, std::vector<Polygon>> pieces_;
-  bool valid_ = false;
+  std::map<int, Slides> slides_;
+  std::optional<SlideMap> map_;
+  std::map<int, std::vector<Piece>> pieces_;
+  std::vector<ConvexRing> obstacles_;
+  ConvexRing range_;
+  DisplacementGoal goal_;
 };
-
-/// Is the goal one place? Joints that move nothing do not matter.
-bool has_one_goal(const PathProblem& problem, const JointSpace& space) {
-  for (std::size_t k = 0; k < space.dimension(); ++k) {
-    const auto& pairs = space.pairs().pairs();
-    const bool matters =
-        std::any_of(pairs.begin(), pairs.end(), [&](const auto& pair) { return space.pairs().follows(*pair, k); });
-    if (matters && (!problem.goal[k] || (*problem.goal[k])[0] != (*problem.goal[k])[1])) return false;
-  }
-  return true;
-}
 
 }  // namespace
 
 bool decide_translation(const PathProblem& problem, const PathOptions& options, const JointSpace& space,
                         const WayChecker& checker, PathAnswer& answer) {
-  if (options.clearance > 0 || problem.goal_outside) return false;
-  const Translation translation(problem, space);
-  if (!translation.valid()) return false;
+  if (options.clearance > 0) return false;
+  const std::optional<Translation> translation = Translation::of(problem, space);
+  if (!translation) return false;
   bool decided = false;
   const Dyadic least = options.touch == Touch::open ? Dyadic() : Dyadic(1, -200);
-  const auto tight = translation.way(least, decided);
-  if (!decided || (!tight && !has_one_goal(problem, space))) return false;
+  const auto tight = translation->way(least, decided);
+  if (!decided) return false;
   answer.exact = true;
   if (!tight) {
     answer.outcome = PathOutcome::none;
     return true;
   }
+  const auto accept = [&](const std::vector<JointValues>& way) {
+    if (!translation->is_goal(way.back()) || !checker.proves(way)) return false;
+    answer.outcome = PathOutcome::path;
+    answer.waypoints = way;
+    return true;
+  };
   // A way with some room is better, and nothing depends on rounding.
   for (const int exponent : {-3, -6, -10, -16, -26, -34, -42, -50}) {
-    const auto roomy = translation.way(Dyadic(1, exponent), decided);
-    if (!roomy || !checker.proves(*roomy)) continue;
-    answer.outcome = PathOutcome::path;
-    answer.waypoints = *roomy;
-    return true;
+    const auto roomy = translation->roomy_way(Dyadic(1, exponent));
+    if (roomy && accept(*roomy)) return true;
   }
-  if (checker.proves(*tight)) {
-    answer.outcome = PathOutcome::path;
-    answer.waypoints = *tight;
-    return true;
-  }
-  answer.reason = "there is a way that fits exactly, but its corners are not representable as doubles";
+  if (!accept(*tight))
+    answer.reason = "there is a way that fits exactly, but its corners are not representable as doubles";
   return true;
 }
 

@@ -95,6 +95,60 @@ TEST(Path, TranslationsOfOtherForms) {
   }
 }
 
+/// A hook that a carriage carries along x. The goal "outside" is about the carriage's box as well, which only follows
+/// one of the two joints.
+TEST(Path, TranslationsOutOfBoxesThatMoveInDifferentWays) {
+  PathProblem problem;
+  problem.linkage.scene.bodies = {{"carriage", rectangle(0, 5, 1, 6), {}},
+                                  {"hook", rectangle(0.25, 3, 0.75, 4), {}},
+                                  walls({rectangle(0, 0, 10, 1), rectangle(9, 7, 10, 8)})};
+  problem.linkage.scene.bodies[1].relative_to = "carriage";
+  problem.linkage.scene.ignore = {{"carriage", "*"}};
+  problem.linkage.motions = {JointMotion{Slide{{-2, 0}}, 0, 1, 0}, JointMotion{Slide{{0, 1}}, 1, 1, 0}, std::nullopt};
+  problem.start = {-2, 0};
+  problem.goal_outside = true;
+  for (const double least : {0.5, 0.4375}) {
+    problem.linkage.joints = {{"away", -4.75, least}, {"up", -2, 0.5}};
+    const PathAnswer answer = find_path(problem);
+    EXPECT_TRUE(answer.exact);
+    ASSERT_EQ(answer.outcome, least == 0.5 ? PathOutcome::path : PathOutcome::none);
+    if (answer.outcome == PathOutcome::path) {
+      expect_proved(problem, answer);
+      EXPECT_EQ(answer.waypoints.back()[0], 0.5);
+    }
+  }
+  // Turned by another joint, the mover is not one of translations.
+  problem.linkage.joints = {{"away", -4.75, 0.4375}, {"up", -2, 0.5}, {"turn", 0, 360}};
+  problem.periodic[2] = true;
+  problem.linkage.motions[2] = JointMotion{Revolute{{5, 0.5}}, 2, 1, 0};
+  PathOptions coarse;
+  coarse.tolerance = 0.1;
+  EXPECT_FALSE(find_path(problem, coarse).exact);
+}
+
+/// Between rails that lean, as wide as the mover: it slides along them, and to the end of the goal's range.
+TEST(Path, TranslationsAlongALeaningSlot) {
+  PathProblem problem;
+  const auto leaning = [](double a0, double b0, double a1, double b1) {
+    const auto at = [](double a, double b) { return Point{3 * a - b, 4 * a + 2 * b}; };
+    return Polygon{at(a0, b0), at(a1, b0), at(a1, b1), at(a0, b1)};
+  };
+  problem.linkage.joints = {{"along", 0, 10}};
+  problem.linkage.scene.bodies = {{"mover", leaning(0, 0, 1, 1), {}},
+                                  walls({leaning(-1, -1, 12, 0), leaning(-1, 1, 12, 2), leaning(7, 0, 12, 1)})};
+  problem.linkage.motions = {JointMotion{Slide{{3, 4}}, 0, 1, 0}, std::nullopt};
+  problem.goal[0] = {6, 9};
+  PathOptions options;
+  const PathAnswer open = find_path(problem, options);
+  EXPECT_TRUE(open.exact);
+  expect_proved(problem, open, options);
+  EXPECT_EQ(open.waypoints.back()[0], 6);
+  problem.goal[0] = {std::nextafter(6, 7), 9};
+  const PathAnswer none = find_path(problem, options);
+  EXPECT_TRUE(none.exact);
+  EXPECT_EQ(none.outcome, PathOutcome::none);
+}
+
 TEST(Path, OfARodAroundACorner) {
   const double critical = std::sqrt(2) - 0.02;  // half of it
   for (const double share : {0.9, 0.99, 0.999})
