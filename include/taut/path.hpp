@@ -77,10 +77,10 @@ struct PathOptions {
 /// none. Every two bodies are tested that are not ignored and that joints move against each other; others once, if the
 /// scene says so.
 ///
-/// Where one slide, or two that are not parallel, move one body, or several alike, and no clearance is given, exact signs
-/// decide, tangencies too. Else the box of all joint values is divided into cells that are free,
-/// that collide, and others, which are divided further where they would connect the start and the goal. `none` is
-/// shown by cells that collide for all values in them, on every way out of what the start reaches.
+/// Where one slide, or two that are not parallel, move one body, or several alike, and no clearance is given, exact
+/// signs decide, tangencies too. Else the box of all joint values is divided into cells that are free, that collide,
+/// and others, which are divided further where they would connect the start and the goal. `none` is shown by cells that
+/// collide for all values in them, on every way out of what the start reaches.
 ///
 /// Throws InputError, also if the start collides (`closed`: touches; with a clearance: is too near), or the goal does
 /// and is one combination.
