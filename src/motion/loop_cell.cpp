@@ -107,4 +107,32 @@ Balls<double> values_at_end(const LoopCell& cell) {
   return out;
 }
 
+std::optional<Balls<double>> for_exact_drives(const LoopCurve& curve, double start, const Balls<double>& last) {
+  std::vector<double> about;
+  for (const Ball<double>& x : last) about.push_back(x.mid);
+  const auto inverse = newton(curve, about, start);
+  if (!inverse) return std::nullopt;
+  // Balls of doubles enclose the drives, with what rounding left off.
+  const Ball<double> at = Ball<double>::exact(start);
+  Balls<double> middle;
+  for (const double x : about) middle.push_back(Ball<double>::exact(x));
+  const std::vector<double> wrong = magnitudes(product(*inverse, values_of(curve, middle, at)));
+  const std::vector<double> weights = weights_of(curve.equations);
+  Balls<double> box = middle;
+  for (std::size_t i = 0; i < box.size(); ++i)
+    box[i].rad = 4 * std::max(wrong[i], (last[i] - middle[i]).magnitude()) + 0x1p-40 * weights[i];
+  const Contraction e(*inverse, jacobian(curve, box, at), weights);
+  const std::vector<double> inner = e.times([&] {
+    std::vector<double> radii;
+    for (const Ball<double>& x : box) radii.push_back(x.rad);
+    return radii;
+  }());
+  const std::vector<double> closed = e.closure(wrong);
+  for (std::size_t i = 0; i < box.size(); ++i) {
+    if (!(wrong[i] + inner[i] < box[i].rad)) return std::nullopt;
+    middle[i].rad = std::min(closed[i], box[i].rad);
+  }
+  return middle;
+}
+
 }  // namespace taut::internal

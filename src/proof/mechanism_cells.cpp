@@ -34,7 +34,12 @@ class CellReader {
     const LoopEquations& equations = mechanism_.functions->equations();
     values_.assign(static_cast<std::size_t>(equations.unknowns), Ball<double>::exact(0));
     const LoopEquations approach = mechanism_.approach_equations();
-    if (!mechanism_.approach.empty()) read_path({approach, 0, equations.unknowns}, mechanism_.approach, 0);
+    if (!mechanism_.approach.empty()) {
+      read_path({approach, 0, equations.unknowns}, mechanism_.approach, 0);
+      const auto exactly = for_exact_drives({equations, 0, equations.unknowns}, mechanism_.start, values_);
+      if (!exactly) throw ProofError("the beginning of the drives is not reached");
+      values_ = *exactly;
+    }
     std::vector<std::vector<LoopCell>> all;
     double start = mechanism_.start;
     for (std::size_t piece = 0; piece < mechanism_.functions->pieces(); ++piece) {

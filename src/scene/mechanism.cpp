@@ -156,7 +156,8 @@ class Assembly {
     LoopPath path = follow(to_beginning(equations_, scene_.start), 0, 0, 1, values);
     if (!path.singular) {
       approach_ = std::move(path.cells);
-      return path.last;
+      if (const auto exactly = for_exact_drives({equations_, 0, equations_.unknowns}, scene_.start, path.last))
+        return *exactly;
     }
     throw InputError(
         "mechanism",
