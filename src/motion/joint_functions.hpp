@@ -41,9 +41,9 @@ std::optional<Square<double>> certify(LoopCell& cell, const LoopCurve& curve, co
 /// The unknowns at the cell's end.
 Balls<double> values_at_end(const LoopCell& cell);
 
-/// The unknowns at the beginning of a curve, where `last` encloses them for drives that begin with the values rounded to
-/// doubles. One solution for each drive between the two, all of them near each other, shows that it is the same branch.
-/// Nothing if that is not shown.
+/// The unknowns at the beginning of a curve, where `last` encloses them for drives that begin with the values rounded
+/// to doubles. One solution for each drive between the two, all of them near each other, shows that it is the same
+/// branch. Nothing if that is not shown.
 std::optional<Balls<double>> for_exact_drives(const LoopCurve& curve, double start, const Balls<double>& last);
 
 /// How far the unknowns could be followed.
