@@ -17,7 +17,7 @@ constexpr double subdivision_threshold = 1.5;
 /// So many pairs of runs are tested after one that stays open.
 constexpr int most_after_open = 200;
 /// So many vertices of a body are tried in search of one inside the other body.
-constexpr std::uint32_t most_probes = 24;
+constexpr std::uint32_t most_probes = 64;
 /// So many for which more than one point is tried.
 constexpr std::uint32_t most_deep_probes = 64;
 /// A point nearer to an outline than this is neither inside nor outside.
@@ -267,8 +267,10 @@ bool PairCells::goes_around(bool p, Vector at) const {
   return turns > 0;
 }
 
-/// Is an edge of the body as near to the point as this?
-bool PairCells::is_near_edge(bool p, Vector at, double distance) const {
+/// Does an edge of the body come as near to the point as this? `spread(n)`: how far, and less far than that, the point
+/// may be moved along n.
+template <class Spread>
+bool PairCells::is_near_edge(bool p, Vector at, double distance, const Spread& spread) const {
   const Hierarchy& tree = p ? tree_p_ : tree_q_;
   thread_local std::vector<std::uint32_t> todo;
   todo.assign(1, 0);
@@ -283,27 +285,34 @@ bool PairCells::is_near_edge(bool p, Vector at, double distance) const {
       todo.push_back(node.right);
       continue;
     }
-    const Vector foot = nearest_on(at, points(p)[node.first], points(p)[next(p)[node.first]]);
-    if (dot(at - foot, at - foot) <= distance * distance) return true;
+    const Vector a = points(p)[node.first], b = points(p)[next(p)[node.first]], gap = at - nearest_on(at, a, b);
+    if (dot(gap, gap) > distance * distance) continue;
+    // The edge is beyond a direction where both of its ends are.
+    const auto beyond = [&](Vector n) { return std::min(dot(n, at - a), dot(n, at - b)) > spread(n); };
+    const Vector across = unit(turned(b - a));
+    if (!beyond(dot(across, gap) > 0 ? across : -across) && !beyond(unit(gap))) return true;
   }
   return false;
 }
 
 /// Is the point inside the body, and farther from its edges than this?
-bool PairCells::is_deep(bool in_p, Vector at, double distance) const {
+template <class Spread>
+bool PairCells::is_deep(bool in_p, Vector at, double distance, const Spread& spread) const {
   const BoxNode& all = (in_p ? tree_p_ : tree_q_).node(0);
   const Vector away = at - all.box.centre;
   if (dot(away, away) > all.box.radius * all.box.radius) return false;
   // Of few edges, most points are found to be outside sooner than near.
   constexpr std::size_t few = 64;
   if (points(in_p).size() <= few && !goes_around(in_p, at)) return false;
-  return !is_near_edge(in_p, at, distance) && (points(in_p).size() <= few || goes_around(in_p, at));
+  return !is_near_edge(in_p, at, distance, spread) && (points(in_p).size() <= few || goes_around(in_p, at));
 }
 
 bool PairCells::stays_inside(const Seen& seen, const OpenFeatures::Inner& inner) const {
   const PairView& pose = seen.pose(inner.of_p);
   const PairView::Place at = pose.place(inner.at);
-  return is_deep(!inner.of_p, at.value, pose.swing(at) + pose.slack() + least_depth);
+  const double margin = at.error + pose.slack() + least_depth;
+  return is_deep(!inner.of_p, at.value, pose.swing(at) + pose.slack() + least_depth,
+                 [&](Vector n) { return (pose.spread(n, at) + margin) * (1 + 0x1p-40); });
 }
 
 /// Outlines that meet no edge of the other body for any joint values are inside or outside for all, if they are for
@@ -350,7 +359,9 @@ bool PairCells::find_deep(const PoseModel& of_q, OpenFeatures& open) const {
       const double swing = pose.swing(pose.place(at)) + pose.slack() + least_depth;
       for (const double share : {3.0, 12.0, 48.0}) {
         const Vector inner = at + scaled(share * swing, inwards);
-        if (!stays_inside(seen, {of_p, inner}) || !is_deep(of_p, inner, least_depth)) continue;
+        if (!stays_inside(seen, {of_p, inner}) ||
+            !is_deep(of_p, inner, least_depth, [](Vector) { return least_depth; }))
+          continue;
         open.inner = {of_p, inner};
         return true;
       }

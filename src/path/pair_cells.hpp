@@ -123,8 +123,10 @@ class PairCells {
   bool find_inside(const Seen& seen, OpenFeatures& open) const;
   CellState containment(const Seen& seen, OpenFeatures& open) const;
   bool goes_around(bool p, Vector at) const;
-  bool is_near_edge(bool p, Vector at, double distance) const;
-  bool is_deep(bool in_p, Vector at, double distance) const;
+  template <class Spread>
+  bool is_near_edge(bool p, Vector at, double distance, const Spread& spread) const;
+  template <class Spread>
+  bool is_deep(bool in_p, Vector at, double distance, const Spread& spread) const;
 
   const std::vector<Vector>& points(bool p) const { return p ? points_p_ : points_q_; }
   const std::vector<std::uint32_t>& next(bool p) const { return p ? next_p_ : next_q_; }

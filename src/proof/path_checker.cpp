@@ -147,23 +147,40 @@ bool PathChecker::exclude_each_other(const CellValues& values, const std::vector
   return !crossings.empty() && values.largest(sum) < 0;
 }
 
-/// The point is of its body, and stays in a disc that no edge of the other body meets, and whose middle is inside.
+/// Is the point in one of the body's parts? `strictly`: not on its boundary.
+bool PathChecker::holds_point(const BodyShape& body, const Point& p, bool strictly) {
+  for (std::size_t i = 0; i < body.rings.size(); ++i) {
+    if (body.rings[i].hole) continue;
+    const int side = side_of_ring(body.rings[i].points, p);
+    if (side < 0 || (strictly && side == 0)) continue;
+    bool in_hole = false;
+    for (std::size_t k = i + 1; k < body.rings.size() && body.rings[k].hole; ++k) {
+      const int in = side_of_ring(body.rings[k].points, p);
+      in_hole = in_hole || in > 0 || (strictly && in == 0);
+    }
+    if (!in_hole) return true;
+  }
+  return false;
+}
+
+/// Is the point for all values, and the middle, farther along n than both ends of the edge? Then none of these places,
+/// nor what is between two of them, is on the edge.
+bool PathChecker::is_beyond(const CellValues& values, const CellPoint& at, const Point& middle, const Segment& edge,
+                            const Point& n) {
+  const CellPoint still{CellFunction::constant(middle.x), CellFunction::constant(middle.y)};
+  const auto along = [&](const CellPoint& p, const Point& end) {
+    return CellFunction::constant(n.x) * (p.x - CellFunction::constant(end.x)) +
+           CellFunction::constant(n.y) * (p.y - CellFunction::constant(end.y));
+  };
+  return std::all_of(edge.begin(), edge.end(), [&](const Point& end) {
+    return values.least(along(at, end)) > 0 && values.least(along(still, end)) > 0;
+  });
+}
+
+/// The point is of its body, and stays on one side of each edge of the other body: in a disc that the edge does not
+/// meet, or beyond the edge in some direction. The disc's middle is inside.
 bool PathChecker::stays_inside(const CellValues& values, const PathClaim& claim) const {
   if (!is_tested(claim.body, claim.other) || !in_range(claim.point.x) || !in_range(claim.point.y)) return false;
-  const auto holds_point = [](const BodyShape& body, const Point& p, bool strictly) {
-    for (std::size_t i = 0; i < body.rings.size(); ++i) {
-      if (body.rings[i].hole) continue;
-      const int side = side_of_ring(body.rings[i].points, p);
-      if (side < 0 || (strictly && side == 0)) continue;
-      bool in_hole = false;
-      for (std::size_t k = i + 1; k < body.rings.size() && body.rings[k].hole; ++k) {
-        const int in = side_of_ring(body.rings[k].points, p);
-        in_hole = in_hole || in > 0 || (strictly && in == 0);
-      }
-      if (!in_hole) return true;
-    }
-    return false;
-  };
   if (!holds_point(bodies_[claim.body], claim.point, false)) return false;
   const CellPoint at = seen(values, claim.other, claim.body).place(claim.point);
   const Point middle{tidy(at.x.middle.mid), tidy(at.y.middle.mid)};
@@ -174,10 +191,13 @@ bool PathChecker::stays_inside(const CellValues& values, const PathClaim& claim)
   for (const Ring& ring : bodies_[claim.other].rings) {
     for (std::size_t k = 0; k < ring.points.size(); ++k) {
       const Point &a = ring.points[k], &b = ring.points[(k + 1) % ring.points.size()];
-      const Point foot = nearest_on_edge(middle, a, b);
+      const Point foot = nearest_on_edge(middle, a, b), away{middle.x - foot.x, middle.y - foot.y};
       const double size =
           std::fabs(middle.x) + std::fabs(middle.y) + std::fabs(a.x) + std::fabs(a.y) + std::fabs(b.x) + std::fabs(b.y);
-      if (!(std::hypot(foot.x - middle.x, foot.y - middle.y) > radius + path_rounding * size)) return false;
+      if (std::hypot(away.x, away.y) > radius + path_rounding * size) continue;
+      const Point across{a.y - b.y, b.x - a.x};
+      const Point towards = across.x * away.x + across.y * away.y > 0 ? across : Point{-across.x, -across.y};
+      if (!is_beyond(values, at, middle, {a, b}, towards) && !is_beyond(values, at, middle, {a, b}, away)) return false;
     }
   }
   return holds_point(bodies_[claim.other], middle, true);

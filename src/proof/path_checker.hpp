@@ -44,6 +44,9 @@ class PathChecker {
   std::optional<std::array<CellFunction, 4>> sides(const CellValues& values, const PathCrossing& crossing) const;
   bool crosses(const CellValues& values, const PathCrossing& crossing) const;
   bool exclude_each_other(const CellValues& values, const std::vector<PathCrossing>& crossings) const;
+  static bool holds_point(const BodyShape& body, const Point& p, bool strictly);
+  static bool is_beyond(const CellValues& values, const CellPoint& at, const Point& middle, const Segment& edge,
+                        const Point& n);
   bool stays_inside(const CellValues& values, const PathClaim& claim) const;
   bool stays_near(const CellValues& values, const PathClaim& claim) const;
   bool may_be_outside(const CellValues& values) const;
