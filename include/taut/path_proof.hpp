@@ -12,8 +12,7 @@ namespace taut {
 
 /// Answers as find_path() does, and writes a proof log for `none`: docs/path-logs.md. Nothing useful for other
 /// outcomes: the proof of a way is that of path_scene(), by prove(). Where translations are decided by exact signs
-/// alone, the answer is `undecided` instead, and says so: a log is a partition of joint values. Throws InputError, also
-/// for bodies with layers.
+/// alone, the answer is `undecided` instead, and says so: a log is a partition of joint values. Throws InputError.
 PathAnswer prove_path(const PathProblem& problem, std::ostream& log, const PathOptions& options = {});
 
 /// What a log proves: that there is no way.

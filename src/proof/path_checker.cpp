@@ -34,13 +34,9 @@ PathChecker::PathChecker(const PathProblem& problem, double clearance)
   const std::map<std::string, int> by_name = bodies_by_name(problem.linkage.scene);
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     BodyShape shape;
-    const std::vector<Part> parts = parts_of(bodies[i]);
-    for (std::size_t p = 0; p < parts.size(); ++p) {
-      if (parts[p].z || !(bodies[i].z == Layers{}))
-        throw InputError("bodies", "\"" + bodies[i].name + "\" has layers, and proofs about paths know none",
-                         "leave out \"z\"");
-      shape.rings.push_back({parts[p].outline, false, static_cast<int>(p)});
-      for (const Polygon& hole : parts[p].holes) shape.rings.push_back({hole, true, static_cast<int>(p)});
+    for (const Part& part : parts_of(bodies[i])) {
+      shape.parts.push_back({{part.outline}, part.z.value_or(bodies[i].z)});
+      shape.parts.back().rings.insert(shape.parts.back().rings.end(), part.holes.begin(), part.holes.end());
     }
     for (int body = static_cast<int>(i);; body = by_name.at(bodies[static_cast<std::size_t>(body)].relative_to)) {
       shape.chain.push_back(body);
@@ -68,20 +64,17 @@ bool PathChecker::is_tested(std::uint32_t a, std::uint32_t b) const {
   return moves_apart(first, second) || moves_apart(second, first);
 }
 
-std::optional<PathChecker::Segment> PathChecker::edge(const PathFeature& feature) const {
+std::optional<PathChecker::EdgeOfPart> PathChecker::edge(const PathFeature& feature) const {
   if (feature.body >= bodies_.size()) return std::nullopt;
   std::size_t left = feature.vertex;
-  for (const Ring& ring : bodies_[feature.body].rings) {
-    const std::size_t n = ring.points.size();
-    if (left < n) return Segment{ring.points[left], ring.points[(left + 1) % n]};
-    left -= n;
+  for (const PartShape& part : bodies_[feature.body].parts) {
+    for (const Polygon& ring : part.rings) {
+      const std::size_t n = ring.size();
+      if (left < n) return EdgeOfPart{{ring[left], ring[(left + 1) % n]}, part.z};
+      left -= n;
+    }
   }
   return std::nullopt;
-}
-
-std::optional<Point> PathChecker::vertex(const PathFeature& feature) const {
-  const auto both = edge(feature);
-  return both ? std::optional((*both)[0]) : std::nullopt;
 }
 
 CellPose PathChecker::pose(const CellValues& values, const std::vector<int>& chain) const {
@@ -103,14 +96,15 @@ CellPose PathChecker::seen(const CellValues& values, std::uint32_t from, std::ui
 
 std::optional<std::array<CellFunction, 4>> PathChecker::sides(const CellValues& values,
                                                               const PathCrossing& crossing) const {
-  const auto first = edge(crossing.first), second = edge(crossing.second);
+  const auto of_first = edge(crossing.first), of_second = edge(crossing.second);
   const std::uint32_t a = crossing.first.body, b = crossing.second.body;
-  if (!first || !second || !is_tested(a, b)) return std::nullopt;
+  if (!of_first || !of_second || !of_first->z.meet(of_second->z) || !is_tested(a, b)) return std::nullopt;
+  const Segment &first = of_first->ends, &second = of_second->ends;
   const CellPose to_second = seen(values, b, a), to_first = seen(values, a, b);
-  return std::array<CellFunction, 4>{left_of((*second)[0], (*second)[1], to_second.place((*first)[0])),
-                                     left_of((*second)[0], (*second)[1], to_second.place((*first)[1])),
-                                     left_of((*first)[0], (*first)[1], to_first.place((*second)[0])),
-                                     left_of((*first)[0], (*first)[1], to_first.place((*second)[1]))};
+  return std::array<CellFunction, 4>{left_of(second[0], second[1], to_second.place(first[0])),
+                                     left_of(second[0], second[1], to_second.place(first[1])),
+                                     left_of(first[0], first[1], to_first.place(second[0])),
+                                     left_of(first[0], first[1], to_first.place(second[1]))};
 }
 
 namespace {
@@ -147,20 +141,14 @@ bool PathChecker::exclude_each_other(const CellValues& values, const std::vector
   return !crossings.empty() && values.largest(sum) < 0;
 }
 
-/// Is the point in one of the body's parts? `strictly`: not on its boundary.
-bool PathChecker::holds_point(const BodyShape& body, const Point& p, bool strictly) {
-  for (std::size_t i = 0; i < body.rings.size(); ++i) {
-    if (body.rings[i].hole) continue;
-    const int side = side_of_ring(body.rings[i].points, p);
-    if (side < 0 || (strictly && side == 0)) continue;
-    bool in_hole = false;
-    for (std::size_t k = i + 1; k < body.rings.size() && body.rings[k].hole; ++k) {
-      const int in = side_of_ring(body.rings[k].points, p);
-      in_hole = in_hole || in > 0 || (strictly && in == 0);
-    }
-    if (!in_hole) return true;
+/// Is the point in the part? `strictly`: not on its boundary.
+bool PathChecker::holds_point(const PartShape& part, const Point& p, bool strictly) {
+  for (std::size_t i = 0; i < part.rings.size(); ++i) {
+    // The first ring is the outline, the others are holes.
+    const int side = i == 0 ? side_of_ring(part.rings[i], p) : -side_of_ring(part.rings[i], p);
+    if (side < 0 || (strictly && side == 0)) return false;
   }
-  return false;
+  return true;
 }
 
 /// Is the point for all values, and the middle, farther along n than both ends of the edge? Then none of these places,
@@ -177,20 +165,30 @@ bool PathChecker::is_beyond(const CellValues& values, const CellPoint& at, const
   });
 }
 
-/// The point is of its body, and stays on one side of each edge of the other body: in a disc that the edge does not
-/// meet, or beyond the edge in some direction. The disc's middle is inside.
+/// The point is in a part of its body, and stays inside a part of the other one that has a layer in common with it.
 bool PathChecker::stays_inside(const CellValues& values, const PathClaim& claim) const {
   if (!is_tested(claim.body, claim.other) || !in_range(claim.point.x) || !in_range(claim.point.y)) return false;
-  if (!holds_point(bodies_[claim.body], claim.point, false)) return false;
   const CellPoint at = seen(values, claim.other, claim.body).place(claim.point);
+  const auto meets_own = [&](const PartShape& part) {
+    return std::any_of(bodies_[claim.body].parts.begin(), bodies_[claim.body].parts.end(), [&](const PartShape& own) {
+      return own.z.meet(part.z) && holds_point(own, claim.point, false);
+    });
+  };
+  return std::any_of(bodies_[claim.other].parts.begin(), bodies_[claim.other].parts.end(),
+                     [&](const PartShape& part) { return meets_own(part) && stays_inside(values, at, part); });
+}
+
+/// The point stays on one side of each edge of the part: in a disc that the edge does not meet, or beyond the edge in
+/// some direction. The disc's middle is inside.
+bool PathChecker::stays_inside(const CellValues& values, const CellPoint& at, const PartShape& part) {
   const Point middle{tidy(at.x.middle.mid), tidy(at.y.middle.mid)};
   const double dx = std::max(values.largest(at.x) - middle.x, middle.x - values.least(at.x)),
                dy = std::max(values.largest(at.y) - middle.y, middle.y - values.least(at.y));
   const double radius = std::sqrt(dx * dx + dy * dy) * (1 + path_rounding);
   if (!std::isfinite(radius) || !in_range(middle.x) || !in_range(middle.y)) return false;
-  for (const Ring& ring : bodies_[claim.other].rings) {
-    for (std::size_t k = 0; k < ring.points.size(); ++k) {
-      const Point &a = ring.points[k], &b = ring.points[(k + 1) % ring.points.size()];
+  for (const Polygon& ring : part.rings) {
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+      const Point &a = ring[k], &b = ring[(k + 1) % ring.size()];
       const Point foot = nearest_on_edge(middle, a, b), away{middle.x - foot.x, middle.y - foot.y};
       const double size =
           std::fabs(middle.x) + std::fabs(middle.y) + std::fabs(a.x) + std::fabs(a.y) + std::fabs(b.x) + std::fabs(b.y);
@@ -200,16 +198,15 @@ bool PathChecker::stays_inside(const CellValues& values, const PathClaim& claim)
       if (!is_beyond(values, at, middle, {a, b}, towards) && !is_beyond(values, at, middle, {a, b}, away)) return false;
     }
   }
-  return holds_point(bodies_[claim.other], middle, true);
+  return holds_point(part, middle, true);
 }
 
 /// The vertex stays within the clearance of a fixed point of the edge: along the way there, and across.
 bool PathChecker::stays_near(const CellValues& values, const PathClaim& claim) const {
-  const auto moving = vertex(claim.vertex);
-  const auto rest = edge(claim.edge);
-  if (!moving || !rest || !is_tested(claim.vertex.body, claim.edge.body)) return false;
-  const CellPoint at = seen(values, claim.edge.body, claim.vertex.body).place(*moving);
-  const Point middle{at.x.middle.mid, at.y.middle.mid}, foot = nearest_on_edge(middle, (*rest)[0], (*rest)[1]);
+  const auto moving = edge(claim.vertex), rest = edge(claim.edge);
+  if (!moving || !rest || !moving->z.meet(rest->z) || !is_tested(claim.vertex.body, claim.edge.body)) return false;
+  const CellPoint at = seen(values, claim.edge.body, claim.vertex.body).place(moving->ends[0]);
+  const Point middle{at.x.middle.mid, at.y.middle.mid}, foot = nearest_on_edge(middle, rest->ends[0], rest->ends[1]);
   const double far = std::hypot(middle.x - foot.x, middle.y - foot.y);
   const Point n = far > 0 ? Point{(middle.x - foot.x) / far, (middle.y - foot.y) / far} : Point{1, 0};
   const auto most = [&](double nx, double ny) {
@@ -276,8 +273,8 @@ bool PathChecker::may_be_outside(const CellValues& values) const {
   for (const BodyShape& body : bodies_) {
     const CellPose at = pose(values, body.chain);
     CoveredExtent covered;
-    for (const Ring& ring : body.rings) {
-      for (const Point& p : ring.points) {
+    for (const PartShape& part : body.parts) {
+      for (const Point& p : part.rings[0]) {
         const CellPoint z = at.place(p);
         covered.lo_x = std::min(covered.lo_x, values.largest(z.x));
         covered.hi_x = std::max(covered.hi_x, values.least(z.x));

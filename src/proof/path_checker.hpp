@@ -12,7 +12,7 @@ namespace taut::internal::proof {
 
 class PathChecker {
  public:
-  /// The problem must be valid, and outlive this. Throws InputError for bodies with layers.
+  /// The problem must be valid, and outlive this.
   PathChecker(const PathProblem& problem, double clearance);
 
   /// Is what a claim says of a cell proved? An open cell claims nothing, and is.
@@ -22,19 +22,22 @@ class PathChecker {
   bool may_be_start(const PathCell& cell) const;
 
  private:
-  struct Ring {
-    Polygon points;
-    bool hole = false;
-    int part = 0;
+  struct PartShape {
+    std::vector<Polygon> rings;  ///< its outline, then its holes
+    Layers z;
   };
   struct BodyShape {
-    std::vector<Ring> rings;
+    std::vector<PartShape> parts;
     std::vector<int> chain;  ///< itself, its parent, and so on
   };
   using Segment = std::array<Point, 2>;
+  struct EdgeOfPart {
+    Segment ends;
+    Layers z;
+  };
 
-  std::optional<Point> vertex(const PathFeature& feature) const;
-  std::optional<Segment> edge(const PathFeature& feature) const;
+  /// The edge, or the one that begins at the vertex.
+  std::optional<EdgeOfPart> edge(const PathFeature& feature) const;
   bool is_tested(std::uint32_t a, std::uint32_t b) const;
   bool moves(int body) const;
   /// The pose of one body seen from another one.
@@ -44,10 +47,11 @@ class PathChecker {
   std::optional<std::array<CellFunction, 4>> sides(const CellValues& values, const PathCrossing& crossing) const;
   bool crosses(const CellValues& values, const PathCrossing& crossing) const;
   bool exclude_each_other(const CellValues& values, const std::vector<PathCrossing>& crossings) const;
-  static bool holds_point(const BodyShape& body, const Point& p, bool strictly);
+  static bool holds_point(const PartShape& part, const Point& p, bool strictly);
   static bool is_beyond(const CellValues& values, const CellPoint& at, const Point& middle, const Segment& edge,
                         const Point& n);
   bool stays_inside(const CellValues& values, const PathClaim& claim) const;
+  static bool stays_inside(const CellValues& values, const CellPoint& at, const PartShape& part);
   bool stays_near(const CellValues& values, const PathClaim& claim) const;
   bool may_be_outside(const CellValues& values) const;
 

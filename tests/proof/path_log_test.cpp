@@ -82,6 +82,22 @@ PathProblem arm(double post) {
   return problem;
 }
 
+/// A lid over the door, and a bar with a knob. The lid closes the door for the knob alone: on the bar's layer, the door
+/// is wide. Without a common layer, `above`, nothing does.
+PathProblem layered(bool above) {
+  PathProblem problem = door(1.3);
+  std::vector<Body>& bodies = problem.linkage.scene.bodies;
+  bodies[0] = {"bar", {}, {}};
+  bodies[0].parts = {{box(-1, -0.5, 1, 0.5), {}, Layers{0, 1}}, {box(-0.3, -0.3, 0.3, 0.3), {}, Layers{1, 2}}};
+  bodies[1].z = {0, 1};
+  Body lid{"lid", {}, {}};
+  lid.parts = {{box(-0.1, -9, 0.1, 9), {}}};
+  lid.z = above ? Layers{2, 3} : Layers{1, 1.5};
+  bodies.push_back(lid);
+  problem.linkage.motions.push_back(std::nullopt);
+  return problem;
+}
+
 struct Case {
   const char* name;
   PathProblem none, way;  ///< alike, but for a number
@@ -92,6 +108,8 @@ std::vector<Case> cases() {
   return {{"door", door(0.95), door(1.1), 0},
           {"door with a clearance", door(1.15), door(1.3), 0.1},
           {"container", container(0.55), container(0.7), 0},
+          {"layers", layered(false), layered(true), 0},
+          {"layers with a clearance", layered(false), layered(true), 0.1},
           {"arm", arm(0.5), arm(1.6), 0}};
 }
 
