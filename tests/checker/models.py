@@ -1,5 +1,6 @@
-"""Functions of s in [-1, 1]: a polynomial with integers times 2^-BITS, and a bound of the rest. Compare Taylor models (Makino
-and Berz)."""
+"""Functions of s in [-1, 1]: a polynomial with integers times 2^-BITS, and a bound of the rest.
+
+Compare Taylor models (Makino and Berz)."""
 
 from math import factorial
 
