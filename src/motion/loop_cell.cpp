@@ -119,18 +119,16 @@ std::optional<Balls<double>> for_exact_drives(const LoopCurve& curve, double sta
   const std::vector<double> wrong = magnitudes(product(*inverse, values_of(curve, middle, at)));
   const std::vector<double> weights = weights_of(curve.equations);
   Balls<double> box = middle;
-  for (std::size_t i = 0; i < box.size(); ++i)
-    box[i].rad = 4 * std::max(wrong[i], (last[i] - middle[i]).magnitude()) + 0x1p-40 * weights[i];
-  const Contraction e(*inverse, jacobian(curve, box, at), weights);
-  const std::vector<double> inner = e.times([&] {
-    std::vector<double> radii;
-    for (const Ball<double>& x : box) radii.push_back(x.rad);
-    return radii;
-  }());
-  const std::vector<double> closed = e.closure(wrong);
+  std::vector<double> tube;
   for (std::size_t i = 0; i < box.size(); ++i) {
-    if (!(wrong[i] + inner[i] < box[i].rad)) return std::nullopt;
-    middle[i].rad = std::min(closed[i], box[i].rad);
+    tube.push_back(4 * std::max(wrong[i], (last[i] - middle[i]).magnitude()) + 0x1p-40 * weights[i]);
+    box[i].rad = tube[i];
+  }
+  const Contraction e(*inverse, jacobian(curve, box, at), weights);
+  const std::vector<double> inner = e.times(tube), closed = e.closure(wrong);
+  for (std::size_t i = 0; i < box.size(); ++i) {
+    if (!(wrong[i] + inner[i] < tube[i])) return std::nullopt;
+    middle[i].rad = std::min(closed[i], tube[i]);
   }
   return middle;
 }
