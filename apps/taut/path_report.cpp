@@ -4,6 +4,7 @@
 
 #include "commands.hpp"
 #include "coverage_text.hpp"
+#include "feature_text.hpp"
 
 namespace taut::cli {
 namespace {
@@ -29,9 +30,13 @@ std::string path_in_words(const PathProblem& problem, const PathAnswer& answer) 
   text += coverage_text(answer.coverage);
   for (const JointValues& values : answer.waypoints) text += "  " + values_text(problem, values) + "\n";
   if (!answer.reason.empty()) text += "  " + answer.reason + "\n";
-  if (answer.tight)
+  if (answer.tight) {
     text += fmt::format("  {} x {}, about {}\n", name_in(problem, answer.tight->pair[0]),
                         name_in(problem, answer.tight->pair[1]), values_text(problem, answer.tight->values));
+    for (const TightFeatures& f : answer.tight->features)
+      text += fmt::format("    {} and {}, {:.3g} apart\n", vertex_text(problem.linkage.scene, f.vertex),
+                          edge_text(problem.linkage.scene, f.edge), f.distance);
+  }
   text += answer.exact ? "  decided by exact signs\n" : fmt::format("  {} cells\n", answer.cells.size());
   return text;
 }

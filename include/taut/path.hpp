@@ -36,11 +36,22 @@ enum class PathOutcome {
 /// "path", "none", "undecided" or "untested".
 const char* to_string(PathOutcome outcome);
 
+/// A vertex of one body and an edge of the other one that come together where it is tight.
+struct TightFeatures {
+  VertexRef vertex;
+  EdgeRef edge;
+  double distance = 0;  ///< between the two, in the scene's units, rounded: an overlap has a distance, too
+};
+
 /// Where it was too tight to decide.
 struct TightPlace {
-  JointValues values{};          ///< the middle of a cell that would connect the start and the goal
+  /// In a cell that would connect the start and the goal: where the bodies are likely to have most room.
+  JointValues values{};
   JointValues size{};            ///< the sides of that cell
-  std::array<BodyId, 2> pair{};  ///< a pair that is neither apart nor overlapping there
+  std::array<BodyId, 2> pair{};  ///< a pair that is neither apart nor overlapping in the cell
+  /// Of that pair at `values`, the vertex and the edge that are nearest to each other; and then, if there are some that
+  /// were not shown to be apart either, the nearest ones that push the bodies the other way: the two sides of a slot.
+  std::vector<TightFeatures> features;
 };
 
 /// The answer of find_path().

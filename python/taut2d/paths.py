@@ -12,14 +12,14 @@ from . import _taut2d
 from ._numbers import number, point
 from ._text_form import TextForm
 from ._verdict import Verdict, bodies_text, names
-from .answers import Coverage, Logged, _log_of, _pair
+from .answers import Coverage, EdgeRef, Logged, VertexRef, _log_of, _pair
 from .errors import InputError
 from .linkages import EnvelopeCell, Linkage, _cells_from, _plot_cells
 from .options import ask
 from .scene import Scene, _plain_places, _scene_text
 from .words import PathOutcome, Touch
 
-__all__ = ["PathAnswer", "PathProblem", "PathProof", "TightPlace", "VerifiedPath", "path", "prove_path", "verify_path"]
+__all__ = ["PathAnswer", "PathProblem", "PathProof", "TightFeatures", "TightPlace", "VerifiedPath", "path", "prove_path", "verify_path"]
 
 
 @dataclass(frozen=True)
@@ -78,13 +78,26 @@ class PathProblem(TextForm):
 
 
 @dataclass(frozen=True)
+class TightFeatures:
+    """A vertex and an edge that come together where it is tight, and the distance between the two, rounded; an overlap has
+    a distance, too."""
+
+    vertex: VertexRef
+    edge: EdgeRef
+    distance: float
+
+
+@dataclass(frozen=True)
 class TightPlace:
-    """Where it was too tight to decide: the middle of a box of joint values that would connect the start and the goal, its
-    sides, and two bodies that are neither apart nor overlapping there."""
+    """Where it was too tight to decide. ``values``: in a box of joint values that would connect the start and the goal, where
+    the bodies are likely to have most room; ``size``: the sides of the box. ``pair``: two bodies that are neither apart nor
+    overlapping in it. ``features``: of these at ``values``, the vertex and the edge that are nearest to each other; and then,
+    if there are some, the nearest ones that push the bodies the other way: the two sides of a slot."""
 
     values: Mapping[str, float]
     size: Mapping[str, float]
     pair: tuple[str, str]
+    features: tuple[TightFeatures, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -172,7 +185,9 @@ def _tight_from(value: Any) -> Optional[TightPlace]:
     if value is None:
         return None
     return TightPlace({k: float(v) for k, v in value["values"].items()}, {k: float(v) for k, v in value["size"].items()},
-                      _pair(value["pair"]))
+                      _pair(value["pair"]),
+                      tuple(TightFeatures(VertexRef(**f["vertex"]), EdgeRef(**f["edge"]), float(f["distance"]))
+                            for f in value["features"]))
 
 
 def _path_from_json(text: str, problem: PathProblem) -> PathAnswer:

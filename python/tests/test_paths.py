@@ -36,6 +36,9 @@ def test_none_and_undecided():
     assert str(none).startswith("none: no way")
     tight = taut2d.path(door(1), tolerance=0.02)
     assert tight.outcome == "undecided" and tight.tight.pair == ("table", "wall") and "wall" in str(tight)
+    first, second = tight.tight.features
+    assert {first.vertex.body, first.edge.body} == {second.vertex.body, second.edge.body} == {"table", "wall"}
+    assert first.distance <= second.distance < 0.1
     assert taut2d.path(door(0.95), max_cells=5).outcome == "undecided"
     assert taut2d.path(door(0.95), max_seconds=0).outcome == "undecided"
 

@@ -28,6 +28,13 @@ void write_tight(AnswerWriter& json, const PathProblem& problem, const TightPlac
     json.key("size");
     write_values(json, problem, tight.size);
     json.pair("pair", tight.pair);
+    json.key("features").array(tight.features, [&](const TightFeatures& f) {
+      json.object([&] {
+        json.vertex("vertex", f.vertex);
+        json.edge("edge", f.edge);
+        json.member("distance", f.distance);
+      });
+    });
   });
 }
 

@@ -5,6 +5,7 @@
 
 #include "numeric/budget.hpp"
 #include "numeric/progress.hpp"
+#include "path/tight_features.hpp"
 
 namespace taut::internal::path {
 namespace {
@@ -163,18 +164,29 @@ bool PathSearch::divide_some_of(const Chain& chain) {
   return true;
 }
 
+/// Of the cells in which nothing free is known, the one with the least room between two sides; if there is none, the
+/// first one that is undecided.
 void PathSearch::set_tight(const Chain& chain, PathAnswer& answer) const {
+  double least = INFINITY;
   for (const CellId id : chain) {
-    const TreeCell& cell = tree_[id];
-    if (cell.state != CellState::undecided) continue;
-    if (answer.tight && tree_.sample(id) == answer.tight->values) continue;
+    if (tree_[id].state != CellState::undecided || (answer.tight && tree_[id].sample_free)) continue;
     TightPlace tight;
     const JointCell box = tree_.box(id);
-    tight.values = box.middle;
+    tight.values = tree_.sample(id);
     for (std::size_t k = 0; k < tight.size.size(); ++k) tight.size[k] = 2 * box.half[k];
-    tight.pair = space_.of_scene()[cell.open->front().first];
-    answer.tight = tight;
-    return;
+    const OpenPairs& open = *tree_[id].open;
+    tight.features = tight_features(space_, tight.values, open);
+    tight.pair = space_.of_scene()[open.front().first];
+    if (!tight.features.empty()) {
+      const TightFeatures& nearest = tight.features.front();
+      tight.pair = {std::min(nearest.vertex.body, nearest.edge.body), std::max(nearest.vertex.body, nearest.edge.body)};
+    }
+    const double room = tight.features.size() == 2 && !tree_[id].sample_free
+                            ? tight.features[0].distance + tight.features[1].distance
+                            : INFINITY;
+    if (answer.tight && !(room < least)) continue;
+    least = room;
+    answer.tight = std::move(tight);
   }
 }
 

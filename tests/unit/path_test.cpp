@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 
 #include "support/made_path.hpp"
 #include "taut/check.hpp"
@@ -173,6 +174,17 @@ TEST(Path, TurnsThroughADoor) {
   EXPECT_GE(tight.tight->values[0], 2);
   EXPECT_LE(tight.tight->values[0], 6);
   EXPECT_FALSE(tight.reason.empty());
+  // A corner of the square is at the slot's floor or ceiling, and so is one on the other side.
+  ASSERT_EQ(tight.tight->features.size(), 2U);
+  std::set<int> sides;
+  for (const TightFeatures& f : tight.tight->features) {
+    EXPECT_LT(f.distance, 0.05);
+    EXPECT_NE(f.vertex.body, f.edge.body);
+    const int part = f.vertex.body == 1 ? f.vertex.part : f.edge.part;
+    EXPECT_TRUE(part == 4 || part == 5) << part;
+    sides.insert(part);
+  }
+  EXPECT_EQ(sides.size(), 2U);
 }
 
 TEST(Path, KeepsAClearance) {

@@ -1,5 +1,5 @@
 // Problems about ways: joints, a start and a goal, as `taut path` reads them; and such a problem made of a scene.
-import type { Body, Heights, Part, Pose, Ring, Scene } from "./engine";
+import type { Body, Feature, Heights, Part, Pose, Ring, Scene } from "./engine";
 import { Figure, placed } from "./figure";
 import { placementOf, type LinkedBody } from "./linkage";
 import { product, seenFrom } from "./motions";
@@ -38,7 +38,11 @@ export const isProblem = (text: string): boolean => /"joints"\s*:/.test(text) &&
 export interface WayAnswer {
   outcome: "path" | "none" | "undecided" | "untested";
   waypoints?: Record<string, number>[];
-  tight?: { values: Record<string, number>; pair: [string, string] };
+  tight?: {
+    values: Record<string, number>;
+    pair: [string, string];
+    features: { vertex: Feature; edge: Feature; distance: number }[];
+  };
   exact: boolean;
   cell_count: number;
   reason?: string;

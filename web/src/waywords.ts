@@ -1,7 +1,8 @@
 // What is said of ways.
+import type { Feature } from "./engine";
 import type { FoundWay, WayJoint, WayProblem } from "./wayproblem";
 import type { Verdict } from "./workbench";
-import { roundText } from "./words";
+import { featureText, roundText } from "./words";
 
 const counted = (n: number): string => `${n.toLocaleString("en")} ${n === 1 ? "cell" : "cells"}`;
 
@@ -43,5 +44,10 @@ export function wayVerdict(problem: WayProblem | null, found: FoundWay | null, f
         .map(([name, value]) => `${name} = ${roundText(value)}`)
         .join(", ")}: see the picture.`
     : "";
-  return { headline: "Undecided", outcome: "undecided", lines: [reason, place, by].filter(Boolean) };
+  const text = (feature: Feature, edge: boolean): string =>
+    featureText(feature, problem.read.bodies.find(({ name }) => name === feature.body)!.parts, edge);
+  const between = (tight?.features ?? []).map(
+    ({ vertex, edge }) => `Between ${text(vertex, false)} and ${text(edge, true)}.`,
+  );
+  return { headline: "Undecided", outcome: "undecided", lines: [reason, place, ...between, by].filter(Boolean) };
 }

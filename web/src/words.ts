@@ -1,5 +1,5 @@
 // What things are called.
-import type { Answer, Body, Coverage, Feature, Lock, Scene } from "./engine";
+import type { Answer, Body, Coverage, Feature, Lock, Ring, Scene } from "./engine";
 import { partsOf } from "./shapes";
 import type { MapEvent, Repair } from "./replay";
 
@@ -103,13 +103,13 @@ export function turnedText(player: {
   return turned.length > 0 ? `Turned there: ${turned.join(", ")}.` : "";
 }
 
-function featureText(feature: Feature, body: Body, edge: boolean): string {
-  const parts = partsOf(body);
+/** `parts`: of each part the outline, then its holes. */
+export function featureText(feature: Feature, parts: Ring[][], edge: boolean): string {
   const { part = 0, ring = 0, index, at } = feature;
   if (at !== undefined)
-    return `segment ${index} (at ${roundText(at)}) of ${ringText(feature, parts.length)}${body.name}`;
+    return `segment ${index} (at ${roundText(at)}) of ${ringText(feature, parts.length)}${feature.body}`;
   const what = edge ? `edge ${index}-${(index + 1) % parts[part][ring].length}` : `vertex ${index}`;
-  return `${what} of ${ringText(feature, parts.length)}${body.name}`;
+  return `${what} of ${ringText(feature, parts.length)}${feature.body}`;
 }
 
 /** Which pairs were tested, and which were not; empty if there is one pair and it was tested. */
@@ -168,7 +168,7 @@ export function explanation(answer: Answer, scene: Scene, freeUntil: number, run
       const bodyOf = (f: Feature): Body => scene.bodies.find((b) => b.name === f.body)!;
       return [
         answer.pair ? `${answer.pair.join(" and ")} meet.` : "",
-        `${capital(featureText(vertex, bodyOf(vertex), false))} meets ${featureText(edge, bodyOf(edge), true)} ` +
+        `${capital(featureText(vertex, partsOf(bodyOf(vertex)), false))} meets ${featureText(edge, partsOf(bodyOf(edge)), true)} ` +
           `at (${roundText(point[0], 9)}, ${roundText(point[1], 9)}).`,
         ...(answer.grazing
           ? [`Grazing: whether they overlap or just touch is too close to tell until t = ${answer.t![1]}.`]

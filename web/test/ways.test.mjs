@@ -268,6 +268,7 @@ test("what is exactly tight is undecided, and the place is marked", async () => 
   await page.setInputFiles("#file", { name: "tight.json", mimeType: "application/json", buffer });
   await page.waitForFunction(() => document.querySelector("#headline").textContent === "Undecided");
   assert.match(await words(page), /table and wall have too little room where x = -?[\d.]+, y = /);
+  assert.match(await words(page), /Between vertex \d of .*(table|wall) and edge \d-\d of /);
   const [x] = await page.evaluate(() => window.playground.ways.tight);
   assert.ok(Math.abs(x) < 1.2, "in the door");
   await settled(page);

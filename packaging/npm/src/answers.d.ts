@@ -405,13 +405,23 @@ export interface EnvelopeAnswer {
 
 /** Values of joints by their names. */
 export type JointValues = Record<string, number>;
+/** A vertex and an edge that come together where it is tight; their distance is rounded. */
+export interface TightFeatures {
+  vertex: Feature;
+  edge: Feature;
+  distance: number;
+}
 export interface PathAnswer {
   id?: Id;
   outcome: "path" | "none" | "undecided" | "untested";
   /** Of a path: from the start to the goal; all joints move evenly between two of them. */
   waypoints?: JointValues[];
-  /** Of an undecided answer: the middle of a cell that would connect the start and the goal, and its sides. */
-  tight?: { values: JointValues; size: JointValues; pair: Pair };
+  /**
+   * Of an undecided answer: values in a cell that would connect the start and the goal, at which the bodies are likely to
+   * have most room, and the sides of the cell. Of the pair, the vertex and the edge that are nearest to each other there,
+   * and the nearest ones that push the other way, if there are some.
+   */
+  tight?: { values: JointValues; size: JointValues; pair: Pair; features: TightFeatures[] };
   /** Only translations were left, and exact signs decided. */
   exact: boolean;
   touch: "open" | "closed";
