@@ -9,8 +9,7 @@
 namespace taut::internal::path {
 namespace {
 
-/// So many edges are compared with each other at the most.
-constexpr std::size_t most_compared = 1'000'000;
+using spacetime::BoxNode;
 
 /// A vertex near an edge, and which way that pushes the second body.
 struct NearFeatures {
@@ -22,88 +21,96 @@ struct NearFeatures {
 
 double length(Vector v) { return std::sqrt(dot(v, v)); }
 
-void add_edges(const spacetime::Hierarchy& tree, std::uint32_t node, std::vector<std::uint32_t>& edges) {
-  const spacetime::BoxNode& at = tree.node(node);
-  if (at.count == 1) return edges.push_back(at.first);
-  add_edges(tree, at.left, edges);
-  add_edges(tree, at.right, edges);
-}
-
 /// Both bodies of a pair where the joints have these values.
 class PairAtPlace {
  public:
   PairAtPlace(const JointSpace& space, std::uint32_t pair, const JointValues& values)
-      : pair_(space.pairs()[pair]), number_(pair) {
-    const PoseModel pose = space.pairs().between(pair_, {values, {}});
-    const PairGeometry& geometry = pair_.search.geometry;
-    for (std::uint32_t k = 0; k < geometry.size(); ++k) {
-      const DisplacedPoint& d = geometry.point(VertexId(k));
-      const bool p = k < geometry.np;
-      points_[p ? 0 : 1].push_back(p ? Vector{d.x, d.y} : pose.place({d.x, d.y}).value);
-      next_[p ? 0 : 1].push_back(geometry.next(VertexId(k)).value - (p ? 0 : geometry.np));
-    }
-  }
+      : pair_(space.pairs()[pair]), number_(pair), pose_(space.pairs().between(pair_, {values, {}})) {}
 
-  void add(const Runs& runs, std::vector<NearFeatures>& all) const {
-    std::size_t compared = 0;
-    for (const auto& [i, k] : runs) {
-      std::vector<std::uint32_t> of_p, of_q;
-      add_edges(pair_.search.tree_p, i, of_p);
-      add_edges(pair_.search.tree_q, k, of_q);
-      compared += of_p.size() * of_q.size();
-      if (compared > most_compared && !all.empty()) return;
-      for (const std::uint32_t p : of_p) {
-        checkpoint();
-        for (const std::uint32_t q : of_q) {
-          for (const std::uint32_t v : {p, next_[0][p]}) all.push_back(near(true, v, q));
-          for (const std::uint32_t v : {q, next_[1][q]}) all.push_back(near(false, v, p));
+  /// Replaces `nearest` by what is nearer among the runs, and counts. Branch and bound by the discs around runs.
+  template <class Counts>
+  void find_nearest(const Runs& runs, const Counts& counts, NearFeatures& nearest) const {
+    Runs todo(runs.rbegin(), runs.rend());
+    while (!todo.empty()) {
+      checkpoint();
+      const auto [i, k] = todo.back();
+      todo.pop_back();
+      const BoxNode &p = pair_.search.tree_p.node(i), &q = pair_.search.tree_q.node(k);
+      const double apart = length(pose_.place(q.box.centre).value - p.box.centre) - p.box.radius - q.box.radius;
+      if (apart >= nearest.distance) continue;
+      if (p.count == 1 && q.count == 1) {
+        for (const NearFeatures& f : compared(p.first, q.first)) {
+          if (f.distance < nearest.distance && counts(f)) nearest = f;
         }
+      } else if (q.count == 1 || (p.count > 1 && p.box.radius >= q.box.radius)) {
+        todo.emplace_back(p.right, k);
+        todo.emplace_back(p.left, k);
+      } else {
+        todo.emplace_back(i, q.right);
+        todo.emplace_back(i, q.left);
       }
     }
   }
 
  private:
+  /// Each end of one edge with the other edge.
+  std::array<NearFeatures, 4> compared(std::uint32_t p, std::uint32_t q) const {
+    return {near(true, p, q), near(true, next(true, p), q), near(false, q, p), near(false, next(false, q), p)};
+  }
   NearFeatures near(bool vertex_of_p, std::uint32_t vertex, std::uint32_t edge) const {
-    const std::size_t own = vertex_of_p ? 0 : 1, other = 1 - own;
-    const Vector at = points_[own][vertex], a = points_[other][edge], b = points_[other][next_[other][edge]];
+    const Vector at = place(vertex_of_p, vertex), a = place(!vertex_of_p, edge),
+                 b = place(!vertex_of_p, next(!vertex_of_p, edge));
     const Vector e = b - a;
     const double share = std::clamp(dot(at - a, e) / dot(e, e), 0.0, 1.0);
     const Vector foot = a + Vector{share * e.x, share * e.y};
-    // The edge's material is on its left. At an end of it, the gap has a direction of its own.
-    const bool at_end = share == 0 || share == 1;
+    // The edge's material is on its left. A gap at an end of it has a direction of its own.
+    const bool at_end = (share == 0 || share == 1) && length(at - foot) > 0;
     const Vector push = at_end ? at - foot : -turned(e);
     return {length(at - foot), vertex_of_p ? -push : push, vertex_of_p, number_, vertex, edge};
   }
 
+  /// Vertices of P come before those of Q.
+  VertexId id(bool of_p, std::uint32_t vertex) const {
+    return VertexId(of_p ? vertex : vertex + pair_.search.geometry.np);
+  }
+  std::uint32_t next(bool of_p, std::uint32_t vertex) const {
+    return pair_.search.geometry.next(id(of_p, vertex)).value - (of_p ? 0 : pair_.search.geometry.np);
+  }
+  /// As P sees it.
+  Vector place(bool of_p, std::uint32_t vertex) const {
+    const DisplacedPoint& d = pair_.search.geometry.point(id(of_p, vertex));
+    return of_p ? Vector{d.x, d.y} : pose_.place({d.x, d.y}).value;
+  }
+
   const LinkedPair& pair_;
   std::uint32_t number_;
-  std::array<std::vector<Vector>, 2> points_;
-  std::array<std::vector<std::uint32_t>, 2> next_;
+  PoseModel pose_;
 };
+
+TightFeatures named(const JointSpace& space, const NearFeatures& f) {
+  const auto& rings = space.pairs()[f.pair].search.bodies.rings;
+  const RingSet &own = *rings[f.vertex_of_p ? 0 : 1], &other = *rings[f.vertex_of_p ? 1 : 0];
+  return {own.vertex(f.vertex), other.edge(f.edge), f.distance / space.pairs().scale()};
+}
 
 }  // namespace
 
 std::vector<TightFeatures> tight_features(const JointSpace& space, const JointValues& values, const OpenPairs& open) {
-  std::vector<NearFeatures> all;
-  for (const auto& [pair, features] : open) PairAtPlace(space, pair, values).add(features.runs, all);
+  NearFeatures first, second;
+  for (const auto& [pair, features] : open)
+    PairAtPlace(space, pair, values)
+        .find_nearest(
+            features.runs, [](const NearFeatures&) { return true; }, first);
+  for (const auto& [pair, features] : open) {
+    if (pair != first.pair) continue;
+    const auto opposes = [&](const NearFeatures& f) {
+      return dot(f.push, first.push) < -0.5 * length(f.push) * length(first.push);
+    };
+    PairAtPlace(space, pair, values).find_nearest(features.runs, opposes, second);
+  }
   std::vector<TightFeatures> found;
-  const auto add_nearest = [&](const auto& counts) -> const NearFeatures* {
-    const NearFeatures* nearest = nullptr;
-    for (const NearFeatures& f : all) {
-      if (counts(f) && (!nearest || f.distance < nearest->distance)) nearest = &f;
-    }
-    if (!nearest) return nullptr;
-    const auto& rings = space.pairs()[nearest->pair].search.bodies.rings;
-    const RingSet &own = *rings[nearest->vertex_of_p ? 0 : 1], &other = *rings[nearest->vertex_of_p ? 1 : 0];
-    found.push_back(
-        {own.vertex(nearest->vertex), other.edge(nearest->edge), nearest->distance / space.pairs().scale()});
-    return nearest;
-  };
-  const NearFeatures* first = add_nearest([](const NearFeatures&) { return true; });
-  if (first) {
-    add_nearest([&](const NearFeatures& f) {
-      return f.pair == first->pair && dot(f.push, first->push) < -0.5 * length(f.push) * length(first->push);
-    });
+  for (const NearFeatures& f : {first, second}) {
+    if (f.distance < INFINITY) found.push_back(named(space, f));
   }
   return found;
 }
