@@ -11,6 +11,8 @@ constexpr double drawn_wider = 0x1p-30;
 /// Cells along the longer side.
 constexpr double fewest_cells = 128, most_cells = 1024, cells_by_edges = 16;
 
+constexpr std::uint8_t value_of(FreeCells::Cell cell) { return static_cast<std::uint8_t>(cell); }
+
 }  // namespace
 
 FreeCells::FreeCells(const std::vector<SharedRings>& bodies) {
@@ -44,12 +46,13 @@ FreeCells::FreeCells(const std::vector<SharedRings>& bodies) {
   height_ = static_cast<std::size_t>((hi_y_ - lo_y_) / cell_) + 1;
   fill(edges);
   for (const BoundaryEdge& edge : edges) draw(edge);
+  measure();
 }
 
 /// Row by row: how often the bodies wind around the middles of cells, by the edges that cross the row's middle line.
 /// Middles that boundaries come near to may be wrong: these cells are not free anyway.
 void FreeCells::fill(const std::vector<BoundaryEdge>& edges) {
-  cells_.assign(width_ * height_, Cell::free);
+  cells_.assign(width_ * height_, value_of(Cell::free));
   std::vector<std::vector<std::pair<double, int>>> rows(height_);
   for (const BoundaryEdge& e : edges) {
     const double low = std::min(e.ay, e.by), high = std::max(e.ay, e.by);
@@ -68,7 +71,7 @@ void FreeCells::fill(const std::vector<BoundaryEdge>& edges) {
     for (std::size_t i = 0; i < width_; ++i) {
       const double x = lo_x_ + (static_cast<double>(i) + 0.5) * cell_;
       for (; next < rows[j].size() && rows[j][next].first < x; ++next) winds += rows[j][next].second;
-      if (winds > 0) cells_[j * width_ + i] = Cell::covered;
+      if (winds > 0) cells_[j * width_ + i] = value_of(Cell::covered);
     }
   }
 }
@@ -93,7 +96,37 @@ void FreeCells::draw(const BoundaryEdge& e) {
       to = x0 + (high - y0) / (y1 - y0) * (x1 - x0);
     }
     const std::size_t last = column(std::max(from, to) + 2 * wider);
-    for (std::size_t i = column(std::min(from, to) - 2 * wider); i <= last; ++i) cells_[j * width_ + i] = Cell::mixed;
+    for (std::size_t i = column(std::min(from, to) - 2 * wider); i <= last; ++i)
+      cells_[j * width_ + i] = value_of(Cell::mixed);
+  }
+}
+
+/// Adds to each free cell its distance in cells, along the axes and diagonally, from the next one that is not free, by
+/// two sweeps. What is outside of the grid is free.
+void FreeCells::measure() {
+  constexpr std::uint8_t free = value_of(Cell::free), farthest = 255 - free;
+  for (std::uint8_t& cell : cells_) cell = cell == free ? 255 : cell;
+  const auto nearer = [this](std::size_t at, std::size_t i, std::ptrdiff_t row, bool below) {
+    const auto distance = [&](std::ptrdiff_t to) -> int {
+      const std::uint8_t value = cells_[static_cast<std::size_t>(static_cast<std::ptrdiff_t>(at) + to)];
+      return value < free ? 0 : value - free;
+    };
+    int least = farthest;
+    const std::ptrdiff_t step = row < 0 ? -1 : 1;
+    if (step < 0 ? i > 0 : i + 1 < width_) least = std::min(least, distance(step) + 1);
+    if (below) {
+      least = std::min(least, distance(row) + 1);
+      if (i > 0) least = std::min(least, distance(row - 1) + 1);
+      if (i + 1 < width_) least = std::min(least, distance(row + 1) + 1);
+    }
+    cells_[at] = static_cast<std::uint8_t>(std::min<int>(cells_[at], free + least));
+  };
+  const auto row = static_cast<std::ptrdiff_t>(width_);
+  for (std::size_t at = 0; at < cells_.size(); ++at) {
+    if (cells_[at] >= free) nearer(at, at % width_, -row, at >= width_);
+  }
+  for (std::size_t at = cells_.size(); at-- > 0;) {
+    if (cells_[at] >= free) nearer(at, at % width_, row, at + width_ < cells_.size());
   }
 }
 

@@ -76,7 +76,8 @@ MapBodies prepared_bodies(const std::vector<Body>& bodies, double largest) {
       extent = std::max(extent, std::ldexp(diagonal(all.rings.back()->bounds()), exponent));
     }
   }
-  all.boxes = BoxTree(boxes_of(all.rings));
+  all.boxes_of = boxes_of(all.rings);
+  all.boxes = BoxTree(all.boxes_of);
   all.exponent = -exponent;
   all.extent = extent;
   return all;

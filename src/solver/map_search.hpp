@@ -18,7 +18,8 @@ struct MapBodies {
   std::vector<SharedRings> rings;
   std::vector<Layers> z;  ///< of each of them
   bool layered = false;   ///< some are not on all layers
-  BoxTree boxes;
+  std::vector<AxisBox> boxes_of;
+  BoxTree boxes;  ///< of these
   int exponent = 0;
   double extent = 0;  ///< the largest of a body, in the input's units
   std::shared_ptr<FreeCellsOnce> free_cells = std::make_shared<FreeCellsOnce>();

@@ -20,8 +20,12 @@ namespace {
 constexpr double long_window = 3;
 constexpr std::size_t crowd = 4;
 constexpr int deepest_window = 30;
-/// The maximum number of steps into which a path is divided for the sampling before the search.
-constexpr double most_samples = 16;
+/// Where any contact will do, windows are sampled in their middle and divided while the link's box over them is at
+/// least this many times longer than at rest, up to a depth.
+constexpr double sampled_window = 2;
+constexpr int deepest_sample = 4;
+/// The maximum number of free places in a row that show a path to be free.
+constexpr int most_places = 8;
 /// The approximate number of vertices of each outline of a link that are tested for lying in free space.
 constexpr std::uint32_t outline_vertices = 8;
 
@@ -36,6 +40,20 @@ AxisBox box_over(const Stretch& s, const spacetime::Box& box) {
   return {way.x.a - wide, way.y.a - high, way.x.a + wide, way.y.a + high};
 }
 
+/// Where a piece takes its origin, without its rotation about a pivot, and a bound of the error of either coordinate.
+struct Place {
+  double x, y, error;
+};
+
+Place place_of(const MotionPiece& piece, double t) {
+  const Ball<double> since = time_since(Ball<double>::exact(t), piece.origin);
+  const double x0 = coefficient(piece.x, 0), x1 = coefficient(piece.x, 1);
+  const double y0 = coefficient(piece.y, 0), y1 = coefficient(piece.y, 1);
+  const double speed = std::fabs(x1) + std::fabs(y1);
+  const double rounded = 0x1p-50 * (std::fabs(x0) + std::fabs(y0) + speed * std::fabs(since.mid));
+  return {x0 + x1 * since.mid, y0 + y1 * since.mid, rounded + speed * since.rad};
+}
+
 }  // namespace
 
 RobotSearch::RobotSearch(const MapBodies& bodies, std::vector<Link> links, Offset offset, bool links_meet)
@@ -45,6 +63,7 @@ RobotSearch::RobotSearch(const MapBodies& bodies, std::vector<Link> links, Offse
     LinkState state;
     state.tree = &tree_of(*link.rings, offset);
     state.size = 2 * state.tree->node(0).box.radius;
+    state.reach = spacetime::reach_of(*state.tree);
     state.met.resize(bodies.rings.size());
     const DisplacedPolygon& shape = *link.rings->displaced(offset);
     for (const RingSpan& ring : rings_of(shape)) {
@@ -111,14 +130,56 @@ void RobotSearch::set(std::span<const MotionPiece> own) {
   }
 }
 
-bool RobotSearch::find_near(std::size_t link, const Stretch& s) {
-  LinkState& state = states_[link];
+/// Is the link certainly in free cells all the way, however it turns? A cheap test to be made first; a negative result
+/// has no meaning.
+bool RobotSearch::roams_free(std::size_t link, double from, double to) const {
+  const PieceChain& chain = states_[link].chain;
+  const Place begin = place_of(chain.front(), from), end = place_of(chain.front(), to);
+  // What hangs on the outermost piece is in a disc about its origin.
+  double around = states_[link].reach + begin.error + end.error;
+  for (const MotionPiece& piece : chain) {
+    around += 2 * l1_norm({piece.pivot.x, piece.pivot.y});
+    if (&piece == &chain.front()) continue;
+    for (const double t : {from, to}) {
+      const Place p = place_of(piece, t);
+      around += std::fabs(p.x) + std::fabs(p.y) + p.error;
+    }
+  }
+  around = around * (1 + 0x1p-40) +
+           0x1p-45 * (std::fabs(begin.x) + std::fabs(begin.y) + std::fabs(end.x) + std::fabs(end.y));
+  const double dx = end.x - begin.x, dy = end.y - begin.y, length = std::max(std::fabs(dx), std::fabs(dy));
+  double gone = 0;
+  for (int i = 0; i < most_places; ++i) {
+    const double share = length > 0 ? gone / length : 0;
+    const double room = cells_.room(begin.x + share * dx, begin.y + share * dy) - around;
+    if (!(room > 0)) return false;
+    gone += room;
+    if (gone >= length) return true;
+  }
+  return false;
+}
+
+bool RobotSearch::find_near(std::size_t link, const Stretch& s, const Window* among) {
+  const LinkState& state = states_[link];
   box_ = box_over(s, state.tree->node(0).box);
   near_.clear();
+  if (among) {
+    for (std::size_t i = among->first; i < among->last; ++i) {
+      if (bodies_.boxes_of[static_cast<std::size_t>(state.nearby[i])].meets(box_)) near_.push_back(state.nearby[i]);
+    }
+  } else {
+    bodies_.boxes.find(box_, near_);
+    if (bodies_.layered)
+      std::erase_if(near_, [&](int k) { return !bodies_.z[static_cast<std::size_t>(k)].meet(links_[link].z); });
+  }
+  list_others(link);
+  return !near_.empty();
+}
+
+/// Of `near_`.
+void RobotSearch::list_others(std::size_t link) {
+  LinkState& state = states_[link];
   others_.clear();
-  bodies_.boxes.find(box_, near_);
-  if (bodies_.layered)
-    std::erase_if(near_, [&](int k) { return !bodies_.z[static_cast<std::size_t>(k)].meet(links_[link].z); });
   for (const int body : near_) {
     const auto at = static_cast<std::size_t>(body);
     std::unique_ptr<PairGeometry>& met = state.met[at];
@@ -127,7 +188,6 @@ bool RobotSearch::find_near(std::size_t link, const Stretch& s) {
           std::make_unique<PairGeometry>(bodies_.rings[at]->displaced(offset_), links_[link].rings->displaced(offset_));
     others_.push_back({met.get(), body_trees_[at]});
   }
-  return !near_.empty();
 }
 
 RobotFinding RobotSearch::found(Outcome outcome, double lo, double hi, Names names, std::size_t other) const {
@@ -139,12 +199,12 @@ RobotFinding RobotSearch::found(Outcome outcome, double lo, double hi, Names nam
           names.other_link};
 }
 
-/// Does an edge of the link certainly cross one of the map at t, or is a vertex certainly inside? A cheap test to be
-/// made first; a negative result has no meaning.
-bool RobotSearch::crosses(std::size_t link, const UniformSegment& segment, double t) {
+/// Does an edge of the link certainly cross one of the map at an instant of the window, or is a vertex certainly
+/// inside? A cheap test to be made first; a negative result has no meaning.
+bool RobotSearch::crosses(std::size_t link, const UniformSegment& segment, double t, const Window& window) {
   spacetime::UniformStretch even = segment.stretch(t, t);
   const Stretch& instant = even.everywhere();
-  if (!find_near(link, instant)) return false;
+  if (!find_near(link, instant, &window)) return false;
   const spacetime::QAtPose pose = spacetime::QAtPose::of(instant);
   crossed_ = 0;
   if (others_.size() == 1 && around(states_[link], pose) == FreeCells::Cell::covered) return true;
@@ -154,25 +214,6 @@ bool RobotSearch::crosses(std::size_t link, const UniformSegment& segment, doubl
     ++crossed_;
   }
   return false;
-}
-
-/// Tests whether a link is blocked at the end, in the middle, or at one of the instants between these, whose distance
-/// is about the size of the link. Most blocked paths are blocked at such an instant, for a long time.
-RobotFinding RobotSearch::sampled(double from, double to) {
-  RobotFinding free;
-  free.lo = free.hi = to;
-  for (std::size_t k = 0; k < links_.size(); ++k) {
-    const UniformSegment segment(world_chain, states_[k].chain, *states_[k].tree, from, to);
-    if (!find_near(k, segment.stretch(from, to).everywhere())) continue;
-    const double steps = std::min(box_.longest() / states_[k].size, most_samples);
-    for (double share = 1; share <= steps; share *= 2) {
-      for (double i = 1; i <= share; i += 2) {
-        const double t = from + (to - from) * (i / share);
-        if (crosses(k, segment, t)) return found(Outcome::contact, from, t, {static_cast<int>(k), -1}, crossed_);
-      }
-    }
-  }
-  return free;
 }
 
 /// The surroundings of the link, provided that its edges cross none of the map's: covered, if a vertex is certainly
@@ -222,6 +263,7 @@ std::optional<std::size_t> RobotSearch::overlapped(const UniformSegment& segment
 
 RobotFinding RobotSearch::at(double t) {
   for (std::size_t k = 0; k < links_.size(); ++k) {
+    if (roams_free(k, t, t)) continue;
     const LinkState& state = states_[k];
     const UniformSegment segment(world_chain, state.chain, *state.tree, t, t + 1);
     if (!find_near(k, segment.stretch(t, t).everywhere())) continue;
@@ -252,37 +294,118 @@ void RobotSearch::search(const UniformSegment& segment, const Hierarchy& mover, 
   }
 }
 
-/// Searches the path in windows, in order of time, as long as the box of the link over them excludes little.
-void RobotSearch::cover(std::size_t link, const UniformSegment& segment, double from, double to, int depth,
-                        RobotFinding& best) {
-  checkpoint();
-  if (best.outcome != Outcome::free && (any_ || from > best.hi)) return;
-  if (!find_near(link, segment.stretch(from, to).everywhere())) return;
-  const double middle = from + (to - from) / 2;
-  if (near_.size() > crowd && box_.longest() > long_window * states_[link].size && depth < deepest_window &&
-      from < middle && middle < to) {
-    cover(link, segment, from, middle, depth + 1, best);
-    cover(link, segment, middle, to, depth + 1, best);
-    return;
+/// Leaves the window's bodies out that the link certainly misses in it. Is any left?
+bool RobotSearch::narrowed(std::size_t link, const UniformSegment& segment, Window& window) {
+  LinkState& state = states_[link];
+  spacetime::UniformStretch even = segment.stretch(window.from, window.to);
+  if (!find_near(link, even.everywhere(), window.depth > 0 ? &window : nullptr)) return false;
+  window.first = state.nearby.size();
+  for (const int body : near_) {
+    const spacetime::Box& other = body_trees_[static_cast<std::size_t>(body)]->node(0).box;
+    if (!spacetime::apart(even.near(other), other, state.tree->node(0).box)) state.nearby.push_back(body);
   }
-  search(segment, *states_[link].tree, {static_cast<int>(link), -1}, from, to, best);
+  window.last = state.nearby.size();
+  return window.first < window.last;
+}
+
+/// Are there so many bodies in the window of the last box, and is that so long, that halves of it have fewer?
+bool RobotSearch::crowded(std::size_t link, const Window& window) const {
+  const double middle = window.middle();
+  return window.last - window.first > crowd && box_.longest() > long_window * states_[link].size &&
+         window.depth < deepest_window && window.from < middle && middle < window.to;
+}
+
+/// Is the link blocked at the end, or in the middle of a window, from long windows on to those that are as long as the
+/// link? Most blocked paths are blocked at such an instant, for a long time. Leaves the windows that are to be
+/// searched.
+bool RobotSearch::blocked(std::size_t link, double from, double to, RobotFinding& best) {
+  LinkState& state = states_[link];
+  const UniformSegment segment(world_chain, state.chain, *state.tree, from, to);
+  const auto blocked_at = [&](double t, const Window& window) {
+    if (!crosses(link, segment, t, window)) return false;
+    best = found(Outcome::contact, from, t, {static_cast<int>(link), -1}, crossed_);
+    return true;
+  };
+  state.windows.assign(1, {from, to});
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < state.windows.size(); ++k) {
+    checkpoint();
+    Window window = state.windows[k];
+    if (!narrowed(link, segment, window)) continue;
+    const bool sampled = box_.longest() >= sampled_window * state.size && window.depth < deepest_sample;
+    const bool divided = sampled || crowded(link, window);
+    if (window.depth == 0 && blocked_at(to, window)) return true;
+    if (sampled && blocked_at(window.middle(), window)) return true;
+    if (divided) {
+      state.windows.push_back(window.half(0));
+      state.windows.push_back(window.half(1));
+    } else {
+      state.windows[kept++] = window;
+    }
+  }
+  state.windows.resize(kept);
+  return false;
+}
+
+/// Searches the path in windows, in order of time, as long as there are many bodies in them.
+void RobotSearch::cover(std::size_t link, double from, double to, RobotFinding& best) {
+  LinkState& state = states_[link];
+  const UniformSegment segment(world_chain, state.chain, *state.tree, from, to);
+  state.windows.assign(1, {from, to});
+  while (!state.windows.empty()) {
+    checkpoint();
+    Window window = state.windows.back();
+    state.windows.pop_back();
+    if (best.outcome != Outcome::free && window.from > best.hi) return;
+    if (!narrowed(link, segment, window)) continue;
+    if (crowded(link, window)) {
+      state.windows.push_back(window.half(1));
+      state.windows.push_back(window.half(0));
+    } else {
+      search(link, segment, window, best);
+    }
+  }
+}
+
+/// Searches the window for contacts with its bodies.
+void RobotSearch::search(std::size_t link, const UniformSegment& segment, const Window& window, RobotFinding& best) {
+  const std::vector<int>& nearby = states_[link].nearby;
+  near_.assign(nearby.begin() + static_cast<std::ptrdiff_t>(window.first),
+               nearby.begin() + static_cast<std::ptrdiff_t>(window.last));
+  list_others(link);
+  search(segment, *states_[link].tree, {static_cast<int>(link), -1}, window.from, window.to, best);
+}
+
+void RobotSearch::search_any(double from, double to, RobotFinding& best) {
+  for (std::size_t k = 0; k < links_.size(); ++k) {
+    states_[k].windows.clear();
+    if (!roams_free(k, from, to) && blocked(k, from, to, best)) return;
+  }
+  for (std::size_t k = 0; k < links_.size(); ++k) {
+    const LinkState& state = states_[k];
+    const UniformSegment segment(world_chain, state.chain, *state.tree, from, to);
+    for (const Window& window : state.windows) {
+      search(k, segment, window, best);
+      if (best.outcome != Outcome::free) return;
+    }
+  }
 }
 
 RobotFinding RobotSearch::along(double from, double to, bool any) {
   any_ = any;
-  if (any) {
-    const RobotFinding blocked = sampled(from, to);
-    if (blocked.outcome != Outcome::free) return blocked;
-  }
   RobotFinding best;
   best.lo = best.hi = to;
-  const auto over = [&] { return best.outcome != Outcome::free && any_; };
-  for (std::size_t k = 0; k < links_.size() && !over(); ++k) {
-    const UniformSegment segment(world_chain, states_[k].chain, *states_[k].tree, from, to);
-    cover(k, segment, from, to, 0, best);
+  for (LinkState& state : states_) state.nearby.clear();
+  if (any) {
+    search_any(from, to, best);
+    if (best.outcome != Outcome::free) return best;
+  } else {
+    for (std::size_t k = 0; k < links_.size(); ++k) {
+      if (!roams_free(k, from, to)) cover(k, from, to, best);
+    }
   }
   for (const LinkPair& pair : pairs_) {
-    if (over()) break;
+    if (any && best.outcome != Outcome::free) break;
     const Hierarchy& mover = *states_[static_cast<std::size_t>(pair.q)].tree;
     const UniformSegment segment(pair.chain_p, pair.chain_q, mover, from, to);
     others_.assign(1, {&pair.geometry, states_[static_cast<std::size_t>(pair.p)].tree});

@@ -17,9 +17,10 @@ struct RobotFinding {
   int link = -1, body = -1, other_link = -1;
 };
 
-/// Links move uniformly, with one piece each, relative to their parents. The map's tree is queried with the boxes of
-/// their paths, and one search handles all near bodies. Links that may meet are pairs with a motion of their own. Data
-/// of a query is kept for the next one.
+/// Links move uniformly, with one piece each, relative to their parents. A link whose path leads through free cells of
+/// the map meets nothing. Else the map's tree is queried with the box of its path, windows of that are halved as long
+/// as this excludes bodies, and one search handles all that remain. Links that may meet are pairs with a motion of
+/// their own. Data of a query is kept for the next one.
 class RobotSearch {
  public:
   struct Link {
@@ -48,13 +49,26 @@ class RobotSearch {
 
  private:
   using Hierarchy = spacetime::Hierarchy;
+  /// A part of a link's path, and the bodies that it may meet there: of `nearby`, from first to last. Those of a path
+  /// that was not divided yet are not known.
+  struct Window {
+    double from, to;
+    int depth = 0;
+    std::size_t first = 0, last = 0;
+    double middle() const { return from + (to - from) / 2; }
+    Window half(int which) const {
+      return which == 0 ? Window{from, middle(), depth + 1, first, last} : Window{middle(), to, depth + 1, first, last};
+    }
+  };
   /// The motion of a link in the world, and the bodies of the map that it came near to.
   struct LinkState {
     PieceChain chain, before;  ///< the motion, and that before the last joint
     const Hierarchy* tree = nullptr;
-    double size = 0;
+    double size = 0, reach = 0;  ///< of the link; from its origin
     std::vector<std::unique_ptr<PairGeometry>> met;
     std::vector<std::vector<Vector>> outlines;  ///< some vertices of each
+    std::vector<Window> windows;                ///< of its path
+    std::vector<int> nearby;
   };
   /// Two links, relative to the last parent that they share.
   struct LinkPair {
@@ -68,15 +82,21 @@ class RobotSearch {
     int link = -1, other_link = -1;
   };
   std::size_t common_parents(int p, int q) const;
-  /// Finds the bodies that meet the link's box in the stretch: `others_`, with the numbers of the bodies in `near_`.
-  bool find_near(std::size_t link, const spacetime::Stretch& s);
+  bool roams_free(std::size_t link, double from, double to) const;
+  /// Finds the bodies that meet the link's box in the stretch, among all or among those of a window: `others_`, with
+  /// the numbers of the bodies in `near_`.
+  bool find_near(std::size_t link, const spacetime::Stretch& s, const Window* among = nullptr);
+  void list_others(std::size_t link);
   std::optional<std::size_t> overlapped(const spacetime::UniformSegment& segment, const Hierarchy& mover, double t,
                                         const LinkState* with_map);
-  bool crosses(std::size_t link, const spacetime::UniformSegment& segment, double t);
-  RobotFinding sampled(double from, double to);
+  bool crosses(std::size_t link, const spacetime::UniformSegment& segment, double t, const Window& window);
+  bool narrowed(std::size_t link, const spacetime::UniformSegment& segment, Window& window);
+  bool crowded(std::size_t link, const Window& window) const;
   FreeCells::Cell around(const LinkState& link, const spacetime::QAtPose& pose) const;
-  void cover(std::size_t link, const spacetime::UniformSegment& segment, double from, double to, int depth,
-             RobotFinding& best);
+  void cover(std::size_t link, double from, double to, RobotFinding& best);
+  bool blocked(std::size_t link, double from, double to, RobotFinding& best);
+  void search_any(double from, double to, RobotFinding& best);
+  void search(std::size_t link, const spacetime::UniformSegment& segment, const Window& window, RobotFinding& best);
   void search(const spacetime::UniformSegment& segment, const Hierarchy& mover, Names names, double from, double to,
               RobotFinding& best);
   RobotFinding found(Outcome outcome, double lo, double hi, Names names, std::size_t other) const;
