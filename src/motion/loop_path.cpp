@@ -27,10 +27,11 @@ class Follower {
     while (path.until < to || path.cells.empty()) {
       checkpoint();
       if (path.cells.size() * curve_.size() > most_values || is_hopeless(path, from, to))
-        throw InputError(
-            "mechanism",
-            "its motion is too long: some thousand turns, or as many changes of direction, can be followed",
-            "ask about a shorter time");
+        throw InputError("mechanism",
+                         "its motion is too long: some thousand turns, or as many changes of direction, can be "
+                         "followed, and far fewer "
+                         "where links stay nearly in line",
+                         "ask about a shorter time");
       const double end = length >= to - path.until ? to : path.until + length;
       double factor = 0.5;
       const auto cell = try_cell(path, path.until, end, factor);
