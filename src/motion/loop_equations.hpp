@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -238,45 +239,80 @@ PoseOf<J> pose_of_link(const LinkPoses<J>& links, int link) {
   return link < 0 ? resting_pose_of<J>() : links.of[static_cast<std::size_t>(link)];
 }
 
+/// In which frame the gap of a pin that closes a loop is seen. Where a loop turns as a whole, its equations stay as
+/// they are in a frame that turns with it; where it does not, such a frame may turn faster than most of the loop.
+enum class GapFrame : unsigned char { ground, turning };
+
+/// A joint that closes a loop: how far its point on the second body is from that on the first one. Of a slide, the
+/// first coordinate is along its direction, which turns with the first body.
+template <class J>
+struct ClosingGap {
+  PoseOf<J> first, second;
+  std::array<J, 2> p, q;  ///< the point on either body
+  bool slide;
+  int turns_with;  ///< the link with which the frame turns; -1: the ground
+  J ex, ey;        ///< its first axis
+  J along, across;
+
+  ClosingGap(const LinkPoses<J>& links, const LoopEquations::Closure& closure, GapFrame seen = GapFrame::ground)
+      : first(pose_of_link(links, closure.first)),
+        second(pose_of_link(links, closure.second)),
+        p(placed_point(first, closure.at)),
+        q(placed_point(second, closure.at)),
+        slide(closure.slide),
+        turns_with(closure.slide              ? closure.first
+                   : seen == GapFrame::ground ? -1
+                                              : std::max(closure.first, closure.second)) {
+    const J x = q[0] - p[0], y = q[1] - p[1];
+    if (closure.slide) {
+      using Real = typename J::Number;
+      const Ball<Real> dx = Ball<Real>::exact(closure.direction.x), dy = Ball<Real>::exact(closure.direction.y);
+      ex = first.xx * dx - first.xy * dy;
+      ey = first.xy * dx + first.xx * dy;
+    } else if (turns_with >= 0) {
+      const PoseOf<J> frame = pose_of_link(links, turns_with);
+      ex = frame.xx;
+      ey = frame.xy;
+    }
+    std::tie(along, across) = seen_as(x, y);
+  }
+  /// The coordinates of a vector in the frame.
+  std::pair<J, J> seen_as(const J& x, const J& y) const {
+    if (!slide && turns_with < 0) return {x, y};
+    return {ex * x + ey * y, ex * y - ey * x};
+  }
+};
+
 /// The value of a joint that is not in the tree.
 template <class J>
 J closing_value(const LoopEquations& equations, const LinkPoses<J>& links, const LoopEquations::Closure& closure) {
   using Real = typename J::Number;
   if (!closure.slide) return angle_of(equations, links, closure.second) - angle_of(equations, links, closure.first);
-  const PoseOf<J> a = pose_of_link(links, closure.first), b = pose_of_link(links, closure.second);
-  const auto p = placed_point(a, closure.at), q = placed_point(b, closure.at);
-  const Ball<Real> dx = Ball<Real>::exact(closure.direction.x), dy = Ball<Real>::exact(closure.direction.y);
-  const J ex = a.xx * dx - a.xy * dy, ey = a.xy * dx + a.xx * dy;
-  return (ex * (q[0] - p[0]) + ey * (q[1] - p[1])) *
-         (Ball<Real>::exact(1) / length_of_direction<Real>(closure.direction));
+  return ClosingGap<J>(links, closure).along * (Ball<Real>::exact(1) / length_of_direction<Real>(closure.direction));
 }
 
 /// F: zero where the loops are closed.
 template <class J>
 std::vector<J> residuals(const LoopEquations& equations, const LinkPoses<J>& links, const std::vector<J>& unknowns,
-                         const std::vector<J>& drives) {
+                         const std::vector<J>& drives, GapFrame seen) {
   using Real = typename J::Number;
   std::vector<J> out;
   for (const LoopEquations::Closure& closure : equations.closures) {
-    const PoseOf<J> a = pose_of_link(links, closure.first), b = pose_of_link(links, closure.second);
-    const std::array<J, 2> p = placed_point(a, closure.at), q = placed_point(b, closure.at);
-    const J x = q[0] - p[0], y = q[1] - p[1];
+    const ClosingGap<J> gap(links, closure, seen);
     const auto turned = [&] {
       return angle_of(equations, links, closure.second) - angle_of(equations, links, closure.first);
     };
     if (!closure.slide) {
-      out.push_back(x);
-      out.push_back(y);
+      out.push_back(gap.along);
+      out.push_back(gap.across);
       if (closure.value) out.push_back(turned() - value_of(*closure.value, unknowns, drives));
       continue;
     }
-    // The direction turns with the first body. The second one is on it, and turned as the first.
-    const Ball<Real> dx = Ball<Real>::exact(closure.direction.x), dy = Ball<Real>::exact(closure.direction.y);
-    const J ex = a.xx * dx - a.xy * dy, ey = a.xy * dx + a.xx * dy;
-    out.push_back(ex * y - ey * x);
+    // The second body is on the line, and turned as the first.
+    out.push_back(gap.across);
     out.push_back(turned());
     if (closure.value)
-      out.push_back(ex * x + ey * y -
+      out.push_back(gap.along -
                     value_of(*closure.value, unknowns, drives) * length_of_direction<Real>(closure.direction));
   }
   return out;
@@ -285,7 +321,8 @@ std::vector<J> residuals(const LoopEquations& equations, const LinkPoses<J>& lin
 /// The derivatives of F by the values of the tree's joints, in rows; of joints between neither body and the ground they
 /// are 0 and left empty.
 template <class J>
-std::vector<std::vector<std::optional<J>>> derivatives(const LoopEquations& equations, const LinkPoses<J>& links) {
+std::vector<std::vector<std::optional<J>>> derivatives(const LoopEquations& equations, const LinkPoses<J>& links,
+                                                       GapFrame seen) {
   using Real = typename J::Number;
   using Placed = std::array<J, 2>;
   std::vector<std::vector<std::optional<J>>> rows;
@@ -293,14 +330,10 @@ std::vector<std::vector<std::optional<J>>> derivatives(const LoopEquations& equa
     const std::size_t first_row = rows.size();
     rows.resize(first_row + static_cast<std::size_t>(closure.equations()),
                 std::vector<std::optional<J>>(equations.joints.size()));
-    const PoseOf<J> a = pose_of_link(links, closure.first), b = pose_of_link(links, closure.second);
-    const Placed p = placed_point(a, closure.at), q = placed_point(b, closure.at);
-    const J x = q[0] - p[0], y = q[1] - p[1];
-    const Ball<Real> dx = Ball<Real>::exact(closure.direction.x), dy = Ball<Real>::exact(closure.direction.y);
-    const J ex = a.xx * dx - a.xy * dy, ey = a.xy * dx + a.xx * dy;
+    const ClosingGap<J> gap(links, closure, seen);
     for (const bool of_second : {false, true}) {
       const double side = of_second ? 1 : -1;
-      const Placed& point = of_second ? q : p;
+      const Placed& point = of_second ? gap.q : gap.p;
       for_each_joint_on_path(equations, of_second ? closure.second : closure.first, [&](int k) {
         const LoopEquations::TreeJoint& joint = equations.joints[static_cast<std::size_t>(k)];
         const PoseOf<J> parent = pose_of_link(links, joint.parent);
@@ -321,21 +354,16 @@ std::vector<std::vector<std::optional<J>>> derivatives(const LoopEquations& equa
           way = {(pivot[1] - point[1]) * turn, (point[0] - pivot[0]) * turn};
         }
         const J turned = J::constant(joint.slide ? 0.0 : side * joint.sign);
-        if (!closure.slide) {
-          add(0, way[0]);
-          add(1, way[1]);
-          if (closure.value) add(2, turned);
-          return;
+        auto [along, across] = gap.seen_as(way[0], way[1]);
+        if (gap.turns_with >= 0 && gap.turns_with == (of_second ? closure.second : closure.first)) {
+          // The frame turns, too: against the sign of `turn` where that is the first body's.
+          const Ball<Real> by = of_second ? turn : -turn;
+          along = along + gap.across * by;
+          across = across - gap.along * by;
         }
-        // The direction turns with the first body; for it, `turn` has the sign of a difference.
-        J across = ex * way[1] - ey * way[0], along = ex * way[0] + ey * way[1];
-        if (!of_second) {
-          across = across + (ey * y + ex * x) * turn;
-          along = along + (ey * x - ex * y) * turn;
-        }
-        add(0, across);
-        add(1, turned);
-        if (closure.value) add(2, along);
+        add(0, closure.slide ? across : along);
+        add(1, closure.slide ? turned : across);
+        if (closure.value) add(2, closure.slide ? along : turned);
       });
     }
   }

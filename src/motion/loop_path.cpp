@@ -13,10 +13,12 @@ double sixteenth_root(double x) { return std::sqrt(std::sqrt(std::sqrt(std::sqrt
 
 class Follower {
  public:
-  Follower(const LoopEquations& equations, std::size_t piece)
-      : curve_{equations, piece, equations.unknowns}, weights_(weights_of(equations)) {}
+  /// Gives up where the first cells say that it would need so many times the values that it may have.
+  Follower(const LoopEquations& equations, std::size_t piece, GapFrame seen, double patience)
+      : curve_{equations, piece, equations.unknowns, seen}, patience_(patience), weights_(weights_of(equations)) {}
 
-  LoopPath follow(double from, double to, const Balls<double>& first) {
+  /// Nothing if too many cells would be needed.
+  std::optional<LoopPath> follow(double from, double to, const Balls<double>& first) {
     LoopPath path;
     path.until = from;
     path.last = first;
@@ -26,12 +28,7 @@ class Follower {
     const double least = std::max(length * 0x1p-42, std::max(std::fabs(from), std::fabs(to)) * 0x1p-50);
     while (path.until < to || path.cells.empty()) {
       checkpoint();
-      if (path.cells.size() * curve_.size() > most_values || is_hopeless(path, from, to))
-        throw InputError("mechanism",
-                         "its motion is too long: some thousand turns, or as many changes of direction, can be "
-                         "followed, and far fewer "
-                         "where links stay nearly in line",
-                         "ask about a shorter time");
+      if (path.cells.size() * curve_.size() > most_values || is_hopeless(path, from, to)) return std::nullopt;
       const double end = length >= to - path.until ? to : path.until + length;
       double factor = 0.5;
       const auto cell = try_cell(path, path.until, end, factor);
@@ -55,10 +52,9 @@ class Follower {
   /// Would all cells be far too many if they went on as so far?
   bool is_hopeless(const LoopPath& path, double from, double to) const {
     constexpr std::size_t enough = 1024;
-    constexpr double far = 16;
     const double values = static_cast<double>(path.cells.size() * curve_.size());
     return path.cells.size() >= enough &&
-           values * ((to - from) / (path.until - from)) > far * static_cast<double>(most_values);
+           values * ((to - from) / (path.until - from)) > patience_ * static_cast<double>(most_values);
   }
 
   /// How small the error has to be, as a share of an unknown's weight: one rounding of an angle of a radian.
@@ -111,13 +107,21 @@ class Follower {
   }
 
   LoopCurve curve_;
+  double patience_;
   std::vector<double> weights_;
 };
 
 }  // namespace
 
 LoopPath follow(const LoopEquations& equations, std::size_t piece, double from, double to, const Balls<double>& first) {
-  return Follower(equations, piece).follow(from, to, first);
+  constexpr double soon = 0.125, late = 16;
+  for (const auto& [seen, patience] :
+       {std::pair{GapFrame::ground, soon}, std::pair{GapFrame::turning, soon}, std::pair{GapFrame::ground, late}}) {
+    if (auto path = Follower(equations, piece, seen, patience).follow(from, to, first)) return std::move(*path);
+  }
+  throw InputError("mechanism",
+                   "its motion is too long: some thousand turns, or as many changes of direction, can be followed",
+                   "ask about a shorter time");
 }
 
 }  // namespace taut::internal

@@ -23,6 +23,7 @@ struct LoopCurve {
   const LoopEquations& equations;
   std::size_t piece;  ///< of the drives
   int parameter;      ///< the number of the unknown; that of the unknowns stands for the time
+  GapFrame seen = GapFrame::ground;
 
   bool by_time() const { return parameter == equations.unknowns; }
   std::size_t size() const { return static_cast<std::size_t>(equations.unknowns); }
@@ -54,7 +55,7 @@ struct LoopCurve {
   template <class J>
   std::vector<J> residuals_at(const std::vector<J>& unknowns, const J& time) const {
     const std::vector<J> drives = drives_at(time);
-    return residuals(equations, link_poses(equations, unknowns, drives), unknowns, drives);
+    return residuals(equations, link_poses(equations, unknowns, drives), unknowns, drives, seen);
   }
 };
 
@@ -78,7 +79,7 @@ std::vector<std::vector<J>> columns(const LoopCurve& curve, std::vector<J> y, co
   const LoopEquations& equations = curve.equations;
   J time = s;
   if (!curve.by_time()) std::swap(time, y[static_cast<std::size_t>(curve.parameter)]);
-  const auto by_joint = derivatives(equations, link_poses(equations, y, curve.drives_at(time)));
+  const auto by_joint = derivatives(equations, link_poses(equations, y, curve.drives_at(time)), curve.seen);
   std::vector<std::vector<J>> out;
   for (int j = 0; j < equations.unknowns; ++j) {
     if (j == curve.parameter) {

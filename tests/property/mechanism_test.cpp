@@ -75,15 +75,13 @@ class Comparison {
   const Scene& scene_;
 };
 
-/// Nothing where it is drawn nearly at a dead point. Links may also stay in line: where one pin of a dyad is the
-/// crank's own, the dyad turns with the crank as a whole, in seed 7163 with an angle of 0.009 degrees between its
-/// links, and the cells of its path are too short to be followed for long.
+/// Nothing where it is drawn nearly at a dead point.
 std::optional<Scene> assembled_or_refused(const ClosedLinkage& linkage) {
   std::vector<LongPoint> points;
   try {
     return assembled(linkage.scene());
   } catch (const InputError& e) {
-    EXPECT_LT(linkage.place(0, points), Long(1e-5)) << e.what();
+    EXPECT_LT(linkage.place(0, points), Long(1e-6)) << e.what();
     return std::nullopt;
   }
 }
