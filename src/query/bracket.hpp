@@ -33,6 +33,8 @@ class Marks {
   void near(const std::array<BodyId, 2>& pair, double t, double reach = 0) {
     count_ += mark_near(world_, pair, t, reach, halvings_);
   }
+  /// Of both bodies, all cells at least half as thick as the thickest one that is marked.
+  void as_thick(const std::array<BodyId, 2>& pair);
   /// The cell of a vertex of the polygons on that side, and its neighbours.
   void vertex(CurveSide side, const VertexRef& vertex) { count_ += world_.mark_vertex(side, vertex, halvings_); }
 

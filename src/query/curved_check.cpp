@@ -98,6 +98,10 @@ class CurvedCheck {
     marks.near(pair_in(outer), lo);
     const bool still = round > 0 && lo - last_ <= 64 * wanted_;
     last_ = lo;
+    // Where polygons meet again and again at other places, as those of a pin that turns in its bore, all of the curves
+    // is as coarse as what is near at one of the instants.
+    constexpr int often = 8;
+    if (!still && round % often == often - 1) marks.as_thick(pair_in(outer));
     std::optional<Answer> inner;
     if (still || marks.count() == 0 || run_.at_limit()) {
       inner = ask(CurveSide::inner, from_, run_.world().scene().end);

@@ -66,4 +66,18 @@ bool AnyRotation::farther(const Box& p, const Box& q, double margin) const {
          of_q.least - most_ - of_p.most > room;
 }
 
+/// Is the moved disc in the fixed one, and that by more than the margin?
+bool AnyRotation::Side::holds(const Disc& fixed, const Disc& moved, double margin) const {
+  const Vector a = about - fixed.centre, b = moved.centre + moving;
+  const double reach = length(a.x, a.y) + length(b.x, b.y) + moved.radius;
+  return reach + error + margin + rounding * (reach + fixed.radius + margin) < fixed.radius;
+}
+
+bool AnyRotation::nested(const TreePair& trees, const BoxNode& p, const BoxNode& q, double margin) const {
+  const Disc* of_p = trees.p.hollow(p);
+  if (of_p && in_p_.holds(*of_p, trees.q.around(), margin)) return true;
+  const Disc* of_q = trees.q.hollow(q);
+  return of_q && in_q_.holds(*of_q, trees.p.around(), margin);
+}
+
 }  // namespace taut::internal::spacetime

@@ -79,13 +79,28 @@ Box box_of_rings(const DisplacedPolygon& body, std::span<const RingSpan> rings) 
 Hierarchy::Hierarchy(std::span<const DisplacedPoint> polygon) {
   nodes_.reserve(2 * polygon.size());
   build(polygon, 0, 0, static_cast<std::uint32_t>(polygon.size()));
+  around_ = disc_around(polygon);
 }
 
 Hierarchy::Hierarchy(const DisplacedPolygon& body) {
   nodes_.reserve(2 * body.points.size());
   std::vector<RingSpan> rings = body.rings;
   if (rings.empty()) rings.push_back({0, static_cast<std::uint32_t>(body.points.size()), false});
+  for (const RingSpan& ring : rings) {
+    if (!ring.hole) continue;
+    const Disc disc = disc_within(std::span(body.points).subspan(ring.first, ring.count));
+    if (disc.radius > 0) hollows_.push_back({ring.first, ring.count, disc});
+  }
   build(body, rings);
+  around_ = disc_around(body.points);
+}
+
+const Disc* Hierarchy::hollow_with(std::uint32_t edge) const {
+  const auto next = std::upper_bound(hollows_.begin(), hollows_.end(), edge,
+                                     [](std::uint32_t e, const Hollow& hollow) { return e < hollow.first; });
+  if (next == hollows_.begin()) return nullptr;
+  const Hollow& hollow = *(next - 1);
+  return edge - hollow.first < hollow.count ? &hollow.disc : nullptr;
 }
 
 Hierarchy hierarchy_of_p(const PairGeometry& g) { return Hierarchy(*g.p()); }
@@ -113,7 +128,7 @@ std::uint32_t Hierarchy::build(const DisplacedPolygon& body, std::span<RingSpan>
   const auto index = static_cast<std::uint32_t>(nodes_.size());
   std::uint32_t count = 0;
   for (const RingSpan& ring : rings) count += ring.count;
-  nodes_.push_back({box_of_rings(body, rings), 0, count, 0, 0});
+  nodes_.push_back({box_of_rings(body, rings), no_first, count, 0, 0});
   const bool along_x = nodes_[index].box.half_length >= nodes_[index].box.half_width;
   const auto key = [&](const RingSpan& ring) {
     const AxisBox b = bounds_of(body, ring);

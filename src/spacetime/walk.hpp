@@ -116,6 +116,7 @@ class Walk {
   void in_middle_of(const Stretch& s) {
     begin_at_root(s.middle, s.middle);
     begin_pairs(levels_.back());
+    any_rotation_.reset();
     stretch_.emplace(s);
     stretch_->r = 0;
     work_off(Slice());
@@ -186,7 +187,7 @@ class Walk {
       todo_.clear();
       for (const BoxPair& pair : pairs) {
         const BoxNode &p = trees_.p.node(pair.p), &q = trees_.q.node(pair.q);
-        if (motion.farther(p.box, q.box, distance)) continue;
+        if (motion.farther(p.box, q.box, distance) || motion.nested(trees_, p, q, distance)) continue;
         if ((p.count == 1 && q.count == 1) || pairs.size() > most_pairs) {
           todo_.push_back(pair);
           continue;
@@ -238,7 +239,14 @@ class Walk {
     begin_pairs(level);
     if (!question_.begins(level.start)) return false;
     stretch_.emplace(stretch(level.start, level.end));
+    any_rotation_.reset();
     return true;
+  }
+  /// Is one body in a hole of the other one, to which one of the nodes belongs, and of no interest there?
+  bool nested(const StretchOfTime& time, const BoxNode& p, const BoxNode& q) {
+    if (segment_.bridge || !may_be_nested(trees_, p, q)) return false;
+    if (!any_rotation_) any_rotation_.emplace(segment_, time.start, time.end);
+    return any_rotation_->nested(trees_, p, q, question_.distance_of_interest());
   }
   /// At all pairs of a stretch; false if the slice was used up before.
   bool evaluate(const WalkLevel& level, const Slice& slice) {
@@ -255,7 +263,7 @@ class Walk {
       checkpoint();
       const BoxPair pair = todo_.back();
       const BoxNode &p = trees_.p.node(pair.p), &q = trees_.q.node(pair.q);
-      const BoxDecision decision = question_.evaluate(time, p, q);
+      const BoxDecision decision = nested(time, p, q) ? BoxDecision::done : question_.evaluate(time, p, q);
       todo_.pop_back();
       if (decision == BoxDecision::deferred) pairs_.push_back(pair);
       if (decision == BoxDecision::divided) divide(pair, p, q, *stretch_);
@@ -287,11 +295,12 @@ class Walk {
   Query& question_;
   TranslationPolynomial polynomial_;
   std::optional<FrameWindow> window_;
-  double from_ = 0, to_ = 0, reached_ = 0;  ///< of the whole; of a segment that turns, windows begin there
-  bool begun_ = false;                      ///< the only part of a translation
-  std::vector<Span> spans_;                 ///< what is left of a segment that turns, the next one last
-  std::optional<Stretch> stretch_;          ///< of the last level, if it has begun
-  std::size_t next_ = 0;                    ///< of its pairs
+  double from_ = 0, to_ = 0, reached_ = 0;   ///< of the whole; of a segment that turns, windows begin there
+  bool begun_ = false;                       ///< the only part of a translation
+  std::vector<Span> spans_;                  ///< what is left of a segment that turns, the next one last
+  std::optional<Stretch> stretch_;           ///< of the last level, if it has begun
+  std::optional<AnyRotation> any_rotation_;  ///< of the same stretch, if it was asked for
+  std::size_t next_ = 0;                     ///< of its pairs
   ThreadLocalPool<WalkMemory>::Pointer memory_ = ThreadLocalPool<WalkMemory>::take();
   std::vector<WalkLevel>& levels_ = memory_->levels;
   std::vector<BoxPair>&pairs_ = memory_->pairs, &todo_ = memory_->todo;
