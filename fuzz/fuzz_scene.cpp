@@ -1,5 +1,6 @@
 // Any bytes are a scene or an InputError, and a scene survives being written and read. Small worlds among them are
 // answered and proved, in both touch modes.
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -39,8 +40,17 @@ bool same(const std::vector<Part>& a, const std::vector<Part>& b) {
   return true;
 }
 
+bool same(const PairClearance& a, const PairClearance& b) {
+  return a.pair == b.pair && same(a.margin.origin, b.margin.origin) &&
+         std::equal(a.margin.coefficients.begin(), a.margin.coefficients.end(), b.margin.coefficients.begin(),
+                    b.margin.coefficients.end(), [](double x, double y) { return same(x, y); });
+}
+
 bool same(const Scene& a, const Scene& b) {
   if (a.ignore != b.ignore || a.at_rest != b.at_rest) return false;
+  if (!std::equal(a.clearances.begin(), a.clearances.end(), b.clearances.begin(), b.clearances.end(),
+                  [](const PairClearance& x, const PairClearance& y) { return same(x, y); }))
+    return false;
   if (!same(a.start, b.start) || !same(a.end, b.end) || a.bodies.size() != b.bodies.size()) return false;
   for (std::size_t i = 0; i < a.bodies.size(); ++i) {
     const Body &p = a.bodies[i], &q = b.bodies[i];

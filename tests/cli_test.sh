@@ -313,6 +313,18 @@ expect 1 '^ +closer_at_start +anvil x hammer   .* apart' '' check --clearance 50
 expect 1 'no proof was written' '' prove --clearance 50 hit.json -o far.proof
 expect 1 'overlap: anvil x hammer' '' check --clearance 1 --svg - overlap.json
 expect 2 '' 'clearance' check --svg - hit.json
+sed 's/}$/,"clearances":[{"pair":["anvil","*"],"margin":[0.5,0.25]}]}/' hit.json >margins.json
+expect 1 '^CONTACT  anvil x hammer   closer than 1\.66666667 at t = 4\.6666' '' check --clearance 9 margins.json
+expect 1 '"margin":\[0.5,0.25\],"margin_at":1\.66666' '' check --clearance 9 --json margins.json
+expect 1 'closer than 1\.666667 at t = 4\.6666' '' check --clearance 9 --svg - margins.json
+expect 1 '^CONTACT  anvil x hammer   t = ' '' check margins.json
+sed 's/\[0.5,0.25\]/[0.5,0.125],"origin":10/' margins.json >kept.json
+expect 2 '' 'clearances\[0\]: the margin is -0\.75 at t = 0' check --clearance 9 kept.json
+sed 's/"time":\[0,10\]/"time":[0,2]/; s/0.25\]/0]/' margins.json >kept.json
+expect 0 '^FREE  anvil x hammer   all keep their clearances on \[0, 2\]' '' check --clearance 9 kept.json
+expect 2 '' 'a log is about one clearance' prove --clearance 9 kept.json -o kept.proof
+sed 's/"anvil","\*"/"anvil","anvl"/' margins.json >wrong.json
+expect 2 '' 'there is no body "anvl"' check --clearance 9 wrong.json
 expect 0 '<g class="rose".*<path class="free"' '' separate --svg - hit.json
 expect 0 '"outcome":"free"' '' separate --json --svg rose.svg hit.json
 grep -q 'class="rose"' rose.svg || { echo "FAILED: no rose in the picture"; failures=$((failures + 1)); }

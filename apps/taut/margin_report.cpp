@@ -41,30 +41,32 @@ std::string pair_line(const Scene& scene, const PairMargin& pair) {
 }  // namespace
 
 std::string margin_in_words(const Scene& scene, double clearance, const MarginAnswer& answer) {
+  const std::string kept = scene.clearances.empty() ? fmt::format("{:.9g}", clearance) : "their clearances";
   const std::string all = subject_text(scene, std::nullopt), coverage = grounds_text(scene, answer.coverage);
   if (answer.outcome == Outcome::untested) return "UNTESTED  " + all + "\n  " + answer.reason + "\n";
   if (answer.outcome == Outcome::free || answer.outcome == Outcome::locked)
-    return fmt::format("{}  {}   {} {:.9g} on [{}, {}]\n{}", answer.outcome == Outcome::free ? "FREE" : "LOCKED", all,
-                       answer.coverage.untested() > 0 ? "tested pairs keep" : "all keep", clearance, scene.start,
-                       scene.end, coverage);
+    return fmt::format("{}  {}   {} {} on [{}, {}]\n{}", answer.outcome == Outcome::free ? "FREE" : "LOCKED", all,
+                       answer.coverage.untested() > 0 ? "tested pairs keep" : "all keep", kept, scene.start, scene.end,
+                       coverage);
   if (!answer.first) {
-    const std::string kept = answer.free_until > scene.start
-                                 ? fmt::format("  {} {:.9g} on [{}, {})\n",
-                                               answer.coverage.untested() > 0 ? "tested pairs keep" : "all keep",
-                                               clearance, scene.start, answer.free_until)
-                                 : "";
-    return "UNDECIDED  " + all + "\n" + coverage + "  " + answer.reason + "\n" + kept;
+    const std::string proved =
+        answer.free_until > scene.start
+            ? fmt::format("  {} {} on [{}, {})\n", answer.coverage.untested() > 0 ? "tested pairs keep" : "all keep",
+                          kept, scene.start, answer.free_until)
+            : "";
+    return "UNDECIDED  " + all + "\n" + coverage + "  " + answer.reason + "\n" + proved;
   }
   const PairMargin& first = *answer.first;
   const std::string pair = margin_subject(scene, first);
   std::string text;
   if (first.outcome == Outcome::contact)
     text = fmt::format("CONTACT  {}   {} {:.9g} at t = {}\n", pair,
-                       first.time.hi <= scene.start ? "as close as" : "closer than", clearance, time_text(first.time));
+                       first.time.hi <= scene.start ? "as close as" : "closer than", first.margin_at,
+                       time_text(first.time));
   if (first.outcome == Outcome::overlap_at_start)
     text = fmt::format("OVERLAP AT START  {}   t = {}\n", pair, scene.start);
   if (first.outcome == Outcome::closer_at_start)
-    text = fmt::format("CLOSER AT START  {}   closer than {:.9g} at t = {}\n", pair, clearance, scene.start);
+    text = fmt::format("CLOSER AT START  {}   closer than {:.9g} at t = {}\n", pair, first.margin_at, scene.start);
   if (first.outcome == Outcome::undecided) text = fmt::format("UNDECIDED  {}\n", pair);
   text += coverage;
   if (first.outcome == Outcome::undecided) text += fmt::format("  at t = {} {}\n", first.free_until, first.reason);

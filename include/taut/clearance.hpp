@@ -75,6 +75,9 @@ struct PairMargin {
   std::optional<NearestPoints> nearest;
   double free_until = 0;  ///< certainly not closer before this time
   std::string reason;     ///< why it is `undecided`
+  Margin margin = {};     ///< what the pair is to keep: Scene::clearances say it, or who asks
+  /// An upper bound of the margin, hardly above it, at the end of a contact's `time`, or else at `free_until`.
+  double margin_at = 0;
 };
 
 /// The answer of check_clearance().
@@ -90,10 +93,12 @@ struct MarginAnswer {
 };
 
 /// Do all bodies keep this distance, in the scene's units, and if not, when and where do they first come closer? The
-/// question of check() with a margin; `clearance` must be positive. With CheckOptions::touch `open` bodies that come to
-/// the clearance and no closer, or stay at it, are free; `closed`, they are in contact. Free is proved, and so is the
-/// time of a contact: certified bounds in doubles decide what stays away, roots of any precision the rest. Engines,
-/// tracers and events mean nothing here. Throws InputError, also if CheckOptions::fit is given.
+/// question of check() with a margin; `clearance` must be positive. Pairs that Scene::clearances name keep the margin
+/// given there instead, which may change with time: the question is then when d(t) < m(t) first. With
+/// CheckOptions::touch `open` bodies that come to the clearance and no closer, or stay at it, are free; `closed`, they
+/// are in contact. Free is proved, and so is the time of a contact: certified bounds in doubles decide what stays away,
+/// roots of any precision the rest. Engines, tracers and events mean nothing here. Throws InputError, also if
+/// CheckOptions::fit is given.
 MarginAnswer check_clearance(const Scene& scene, double clearance, const CheckOptions& options = {});
 
 /// The distance at an instant: certainly lo <= d(t) <= hi.

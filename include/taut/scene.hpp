@@ -44,6 +44,19 @@ struct Body {
   Layers z = {};
 };
 
+/// A distance that may change with time, in the scene's units: a polynomial in t - origin, in ascending powers, of
+/// degree at most 16. It must not be negative at any time of the scene, nor 0 at all of them.
+struct Margin {
+  Coefficients coefficients = {};
+  double origin = 0;
+};
+
+/// A clearance of its own for some pairs of bodies.
+struct PairClearance {
+  std::array<std::string, 2> pair;  ///< by name; "*" is every other body
+  Margin margin;
+};
+
 /// The most bodies that a chain of `relative_to` may have.
 inline constexpr int max_depth = 16;
 
@@ -75,6 +88,10 @@ struct Scene {
   std::optional<MechanismLock> lock = {};
   /// Made by assembled(); null before.
   std::shared_ptr<const internal::AssembledMechanism> assembly = nullptr;
+  /// For check_clearance(): what certain pairs are to keep instead of the clearance that is asked about. What names
+  /// both bodies counts before what names one of them, and that before "*" twice. Two that name one body each of a
+  /// pair, and say different things, are an error unless a third one names both. Other questions pass over it.
+  std::vector<PairClearance> clearances = {};
 };
 
 /// What counts as a collision.

@@ -2,6 +2,7 @@
 #include "ask/question.hpp"
 
 #include "io/answer_writer.hpp"
+#include "io/json_text.hpp"
 #include "taut/clearance.hpp"
 
 namespace taut::internal {
@@ -21,12 +22,25 @@ void write_nearest(AnswerWriter& json, const NearestPoints& nearest) {
   });
 }
 
+/// What the pair is to keep, as in the scene, and what that is at the time that its answer is about.
+void write_own_margin(AnswerWriter& json, const PairMargin& pair) {
+  const Margin& margin = pair.margin;
+  if (margin.coefficients.size() == 1) {
+    json.member("margin", margin.coefficients[0]);
+    return;
+  }
+  json.key("margin").array(margin.coefficients, [&](double c) { json.number(c); });
+  if (margin.origin != 0) json.member("origin", margin.origin);
+  if (pair.outcome != Outcome::free) json.member("margin_at", pair.margin_at);
+}
+
 /// The members of one pair's answer.
 void write_margin(AnswerWriter& json, const PairMargin& pair) {
   json.pair("bodies", pair.bodies);
   json.member("outcome", to_string(pair.outcome));
   if (pair.outcome == Outcome::contact) json.time("t", pair.time);
   if (pair.grazing) json.member("grazing", true);
+  if (!json.scene().clearances.empty()) write_own_margin(json, pair);
   if (pair.features) json.features(*pair.features);
   if (pair.nearest) {
     json.member("distance", pair.nearest->hi);
@@ -96,6 +110,7 @@ std::string margin_json(const Scene& scene, double clearance, const MarginAnswer
   return answer_text(scene, [&](AnswerWriter& json) {
     json.verdict(to_string(answer.outcome));
     json.member("clearance", clearance);
+    if (!scene.clearances.empty()) json.key("clearances").raw(io::clearances_text(scene.clearances));
     if (answer.first) {
       const PairMargin& first = *answer.first;
       if (first.outcome == Outcome::contact) json.time("t", first.time);

@@ -6,6 +6,7 @@
 
 #include "certificate/certificate_function.hpp"
 #include "certificate/taylor_frames.hpp"
+#include "certificate/time_polynomial.hpp"
 #include "certificate/vanishing.hpp"
 #include "numeric/budget.hpp"
 
@@ -41,10 +42,11 @@ class PreciseFunction {
   PreciseFunction(const MotionSegment& segment, const PairGeometry& g, const CertificateFunction& function,
                   TaylorFrames* models = nullptr)
       : PreciseFunction(segment, g, function, Ball<Real>::exact(0), models) {}
-  /// The certificate function plus a constant.
+  /// The certificate function plus a constant, and a polynomial in the time without a constant term, if there is one.
   PreciseFunction(const MotionSegment& segment, const PairGeometry& g, const CertificateFunction& function,
-                  const Ball<Real>& constant, TaylorFrames* models)
-      : segment_(segment), pp_(function.pp), shared_(models) {
+                  const Ball<Real>& constant, TaylorFrames* models,
+                  std::optional<TimePolynomial<Real>> varying = std::nullopt)
+      : segment_(segment), pp_(function.pp), varying_(std::move(varying)), shared_(models) {
     if (!std::is_same_v<Real, double>) count_work(work_of_function);
     const FunctionPoints<Ball<Real>> p = points_of<Ball<Real>>(segment, g, function, Shape::displaced);
     if (portion_of(segment, g, function) == Portion::displacement) {
@@ -84,8 +86,7 @@ class PreciseFunction {
   /// The value and derivatives as a function of the square root of the distance from a singular end.
   Jet<Real> operator()(const TimeFromEnd<Real>& t) const {
     count_work(work_of_jet());
-    const Frame<Real> f = frame(segment_, t);
-    return combine(pp_ ? f.for_pp : f.for_qq);
+    return plus_varying(t, combined(frame(segment_, t)));
   }
   /// The terms of the Taylor expansion in s about a singular end, except for the last one,
   BallPolynomial<Real> terms_from_end(double end, double direction) const {
@@ -93,19 +94,20 @@ class PreciseFunction {
     count_work(work_of_combination);
     BallPolynomial<Real> sum;
     for (std::size_t k = 0; k < last_from_end; ++k) sum.push_back(coefficient_of(f, k));
+    if (varying_) add(varying_->terms_from_end(end, direction), sum);
     return sum;
   }
   /// and the last term, which makes the expansion valid for all s from the end to `farthest`.
   Ball<Real> last_term_from_end(double end, double direction, double farthest) const {
-    return combined(models().template from_end<Real>().last(segment_, end, direction, farthest));
+    const Ball<Real> last = combined(models().template from_end<Real>().last(segment_, end, direction, farthest));
+    return varying_ ? last + varying_->last_term_from_end(end, direction, farthest) : last;
   }
   /// The value alone, at less than half the cost.
   Ball<Real> value(const Ball<Real>& t) const {
     count_work(work_of_value());
     if (is_polynomial()) return polynomial_value(polynomial_, since_about(t));
-    const FrameValues<Real> f = frame_values(segment_, t);
-    const std::array<Ball<Real>, 5>& v = pp_ ? f.for_pp : f.for_qq;
-    return sum_of(v);
+    const Ball<Real> sum = combined(frame_values(segment_, t));
+    return varying_ ? sum + varying_->value(t) : sum;
   }
   /// The value, or one that is known to only a few digits.
   Ball<Real> telling_value(const Ball<Real>& t) const {
@@ -150,8 +152,7 @@ class PreciseFunction {
       }
     }
     count_work(work_of_jet());
-    const Frame<Real> f = frame(segment_, t);
-    const Jet<Real> range = combine(pp_ ? f.for_pp : f.for_qq);
+    const Jet<Real> range = plus_varying(t, combined(frame(segment_, t)));
     if constexpr (!std::is_same_v<Real, double>) {
       // Use the frame's polynomials about a place nearby (see TaylorFrames). Doubles do without.
       const TaylorFrame<Real>* const made = t.rad != 0 && !is_decisive(range, t) ? new_model(t) : nullptr;
@@ -160,6 +161,21 @@ class PreciseFunction {
     return range;
   }
   Ball<Real> combined(const FrameValues<Real>& frame) const { return sum_of(pp_ ? frame.for_pp : frame.for_qq); }
+  Jet<Real> combined(const Frame<Real>& frame) const { return combine(pp_ ? frame.for_pp : frame.for_qq); }
+  template <class Time>
+  Jet<Real> plus_varying(const Time& t, const Jet<Real>& sum) const {
+    return varying_ ? sum + (*varying_)(t) : sum;
+  }
+  /// Adds a polynomial to another one, which may be shorter.
+  static void add(const BallPolynomial<Real>& more, BallPolynomial<Real>& sum) {
+    for (std::size_t k = 0; k < more.size; ++k) {
+      if (k < sum.size) {
+        sum[k] = sum[k] + more[k];
+      } else {
+        sum.push_back(more[k]);
+      }
+    }
+  }
   Ball<Real> sum_of(const std::array<Ball<Real>, 5>& v) const {
     Ball<Real> sum = v[0] * coefficients_[0];
     for (std::size_t i = 1; i < 5; ++i) sum = sum + v[i] * coefficients_[i];
@@ -204,6 +220,8 @@ class PreciseFunction {
       for (std::size_t k = 0; k <= model_degree; ++k) {
         about_middle_.push_back(coefficient_of(model.about_middle, k));
       }
+      if (varying_)
+        add(expanded(varying_->c, time_since(Ball<Real>(model.middle, 0.0), varying_->about)), about_middle_);
     }
     return about_middle_;
   }
@@ -219,6 +237,7 @@ class PreciseFunction {
     };
     polynomial_.push_back(segment_.far() ? coefficients_[0] + change(0) : coefficients_[0]);
     for (int k = 1; k <= segment_.degree; ++k) polynomial_.push_back(change(k));
+    if (varying_) add(varying_->c, polynomial_);
   }
   /// The variable of that polynomial.
   Ball<Real> since_about(const Ball<Real>& t) const {
@@ -263,7 +282,8 @@ class PreciseFunction {
   const MotionSegment& segment_;
   bool pp_;
   std::array<Ball<Real>, 5> coefficients_;
-  BallPolynomial<Real> polynomial_;  ///< for a translation, or a bridge
+  BallPolynomial<Real> polynomial_;              ///< for a translation, or a bridge
+  std::optional<TimePolynomial<Real>> varying_;  ///< what is added to the certificate function besides a constant
   TaylorFrames* shared_;
   mutable TaylorFrames own_;
   mutable std::uint64_t combined_ = 0;  ///< the number of the model from which this was computed:

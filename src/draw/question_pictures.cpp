@@ -56,7 +56,8 @@ std::string margin_svg(const Scene& scene, double clearance, const MarginAnswer&
     options.title = io::world_title(scene);
     if (answer.outcome == Outcome::undecided) options.title += ": undecided";
     if (answer.outcome == Outcome::free)
-      options.title += fmt::format(": all keep {:.7g} on [{}, {}]", clearance,
+      options.title += fmt::format(": all keep {} on [{}, {}]",
+                                   scene.clearances.empty() ? fmt::format("{:.7g}", clearance) : "their clearances",
                                    io::instant_text(scene.start, scene.start, scene.end, 7),
                                    io::instant_text(scene.end, scene.start, scene.end, 7));
     options.title += note;
@@ -64,7 +65,7 @@ std::string margin_svg(const Scene& scene, double clearance, const MarginAnswer&
   }
   const PairMargin& first = *answer.first;
   const double t = first.outcome == Outcome::contact ? first.time.lo : scene.start;
-  options.title = fmt::format("{}: closer than {:.7g} at t = {}{}", io::world_title(scene), clearance,
+  options.title = fmt::format("{}: closer than {:.7g} at t = {}{}", io::world_title(scene), first.margin_at,
                               io::instant_text(t, scene.start, scene.end, 10), note);
   const std::string pair = io::pair_text(scene, first.bodies[0], first.bodies[1]);
   if (first.nearest) {

@@ -31,6 +31,18 @@ std::string array_text(const std::vector<double>& numbers) {
   return s + "]";
 }
 
+std::string clearances_text(const std::vector<PairClearance>& clearances) {
+  std::string s = "[";
+  for (const PairClearance& entry : clearances) {
+    const auto& [coefficients, origin] = entry.margin;
+    s +=
+        (s.size() > 1 ? ",{\"pair\":[" : "{\"pair\":[") + string_text(entry.pair[0]) + "," + string_text(entry.pair[1]);
+    s += "],\"margin\":" + (coefficients.size() == 1 ? number_text(coefficients[0]) : array_text(coefficients));
+    s += origin != 0 ? ",\"origin\":" + number_text(origin) + "}" : "}";
+  }
+  return s + "]";
+}
+
 std::string point_text(const Point& p) { return "[" + number_text(p.x) + "," + number_text(p.y) + "]"; }
 
 }  // namespace taut::internal::io

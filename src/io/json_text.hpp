@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "io/number_text.hpp"
-#include "taut/geometry.hpp"
+#include "taut/scene.hpp"
 
 namespace taut::internal::io {
 
@@ -15,5 +15,7 @@ std::string string_text(const std::string& s);
 std::string array_text(const std::vector<double>& numbers);
 /// [x,y]
 std::string point_text(const Point& p);
+/// A scene's clearances: [{"pair":["a","b"],"margin":0.5},{"pair":["a","*"],"margin":[0.2,0.05],"origin":3}]
+std::string clearances_text(const std::vector<PairClearance>& clearances);
 
 }  // namespace taut::internal::io

@@ -11,16 +11,19 @@
 
 namespace taut::internal::io {
 
+Coefficients read_coefficients(const JsonDocument& document, std::size_t token, const std::string& path,
+                               const std::string& remedy) {
+  return read_numbers(document, token, path, "the coefficients in ascending powers of time, as [c0, c1, ...]",
+                      max_degree + 1, "the highest degree is " + std::to_string(max_degree) + ": " + remedy);
+}
+
 namespace {
 
 const char* const rotation_shape =
     R"(one of {"angle":[a0,a1,...]}, {"direction":{"a":[...],"b":[...]}}, {"half_angle_tangent":[...]}, {"cosine":[...]})";
 
-Coefficients read_coefficients(const JsonDocument& document, std::size_t token, const std::string& path) {
-  return read_numbers(document, token, path, "the coefficients in ascending powers of time, as [c0, c1, ...]",
-                      max_degree + 1,
-                      "the highest degree is " + std::to_string(max_degree) +
-                          ": lower the degree, or split the motion into pieces with \"until\"");
+Coefficients read_polynomial(const JsonDocument& document, std::size_t token, const std::string& path) {
+  return read_coefficients(document, token, path, "lower the degree, or split the motion into pieces with \"until\"");
 }
 
 Rotation read_rotation(const JsonDocument& document, std::size_t token, const std::string& path) {
@@ -44,11 +47,11 @@ Rotation read_rotation(const JsonDocument& document, std::size_t token, const st
   const std::string value_path = object.path(form);
   if (form == "direction") {
     const JsonObject ab(document, value, value_path, {"a", "b"}, R"({"direction":{"a":[...],"b":[...]}})");
-    return DirectionRotation{read_coefficients(document, ab.get("a"), ab.path("a")),
-                             read_coefficients(document, ab.get("b"), ab.path("b"))};
+    return DirectionRotation{read_polynomial(document, ab.get("a"), ab.path("a")),
+                             read_polynomial(document, ab.get("b"), ab.path("b"))};
   }
   static_assert(std::variant_size_v<Rotation> == 6, "every form of rotation is read here");
-  Coefficients c = read_coefficients(document, value, value_path);
+  Coefficients c = read_polynomial(document, value, value_path);
   if (form == "angle") return AngleRotation{std::move(c)};
   if (form == "cosine") return CosineRotation{std::move(c)};
   return HalfAngleRotation{std::move(c)};
@@ -76,15 +79,15 @@ Orbit read_orbit(const JsonDocument& document, std::size_t token, const std::str
   const auto centre = read_numbers(document, object.get("center"), object.path("center"), shape, 2, "write " + shape);
   if (centre.size() != 2)
     throw document.error(object.get("center"), object.path("center"), "expected two numbers", "write " + shape);
-  return {{centre[0], centre[1]}, read_coefficients(document, object.get("angle"), object.path("angle"))};
+  return {{centre[0], centre[1]}, read_polynomial(document, object.get("angle"), object.path("angle"))};
 }
 
 MotionPiece read_piece(const JsonDocument& document, std::size_t token, const std::string& path) {
   const JsonObject object(document, token, path, piece_keys, motion_shape);
   MotionPiece piece;
   piece.pivot = read_pivot(document, object);
-  if (const auto x = object.find("x")) piece.x = read_coefficients(document, *x, object.path("x"));
-  if (const auto y = object.find("y")) piece.y = read_coefficients(document, *y, object.path("y"));
+  if (const auto x = object.find("x")) piece.x = read_polynomial(document, *x, object.path("x"));
+  if (const auto y = object.find("y")) piece.y = read_polynomial(document, *y, object.path("y"));
   if (const auto r = object.find("rotation")) piece.rotation = read_rotation(document, *r, object.path("rotation"));
   if (const auto origin = object.find("origin")) piece.origin = read_number(document, *origin, object.path("origin"));
   if (const auto orbit = object.find("orbit")) piece.orbit = read_orbit(document, *orbit, object.path("orbit"));

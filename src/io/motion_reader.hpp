@@ -16,6 +16,9 @@ struct MotionContext {
   ReadLimits limits;
 };
 
+/// Of a polynomial, in ascending powers. `remedy` says what to do about a degree that is too high.
+Coefficients read_coefficients(const JsonDocument& document, std::size_t token, const std::string& path,
+                               const std::string& remedy);
 /// null, a piece, an array of pieces with ascending "until", or one of the forms of taut/motions.hpp.
 Motion read_motion(const JsonDocument& document, std::size_t token, const std::string& path,
                    const MotionContext& context);

@@ -7,6 +7,7 @@
 #include "io/json_object.hpp"
 #include "io/mechanism_reader.hpp"
 #include "io/motion_reader.hpp"
+#include "io/pair_reader.hpp"
 #include "io/platform.hpp"
 #include "io/shape_reader.hpp"
 #include "io/text_file.hpp"
@@ -58,6 +59,7 @@ class SceneReader {
     std::vector<std::string> keys{"format", "time",   "bodies",    "ignore", "at_rest",
                                   "id",     "joints", "mechanism", "$schema"};
     if (has_ranges()) keys.insert(keys.end(), {"periodic", "start", "goal"});
+    if (!has_ranges()) keys.push_back("clearances");
     return keys;
   }
 
@@ -73,6 +75,7 @@ class SceneReader {
     Scene scene;
     read_format(root.get("format"));
     read_time(root.get("time"), scene);
+    if (const auto clearances = root.find("clearances")) scene.clearances = io::read_clearances(document_, *clearances);
     read_rest(root, scene, [&](std::size_t token, const std::string& path, Body& body) {
       const io::MotionContext context{scene.start, scene.end, folder_, limits_};
       body.motion = io::read_motion(document_, token, path, context);
@@ -144,7 +147,7 @@ class SceneReader {
   template <class ReadMotion>
   void read_rest(const JsonObject& root, Scene& scene, const ReadMotion& read_motion) const {
     read_bodies(root.get("bodies"), scene, read_motion);
-    if (const auto ignore = root.find("ignore")) read_ignored(*ignore, scene);
+    if (const auto ignore = root.find("ignore")) scene.ignore = io::read_ignored(document_, *ignore);
     if (const auto at_rest = root.find("at_rest")) read_at_rest(*at_rest, scene);
     if (const auto id = root.find("id")) scene.id = io::value_text(document_, *id);
   }
@@ -209,25 +212,6 @@ class SceneReader {
       }
     }
     return name;
-  }
-
-  /// Pairs of names.
-  void read_ignored(std::size_t token, Scene& scene) const {
-    const std::string shape = R"("ignore": [["door", "pin"], ["chassis", "*"]])";
-    document_.require(token, JsonKind::array, "ignore", shape);
-    const std::size_t end = document_.after(token);
-    for (std::size_t i = token + 1; i < end; i = document_.after(i)) {
-      const std::string path = element_path("ignore", scene.ignore.size());
-      document_.require(i, JsonKind::array, path, shape);
-      std::vector<std::string> names;
-      for (std::size_t k = i + 1; k < document_.after(i); k = document_.after(k)) {
-        document_.require(k, JsonKind::string, path, shape);
-        names.push_back(document_.string_at(k));
-      }
-      if (names.size() != 2)
-        throw document_.error(i, path, "expected two names, found " + std::to_string(names.size()), "write " + shape);
-      scene.ignore.push_back({names[0], names[1]});
-    }
   }
 
   void read_at_rest(std::size_t token, Scene& scene) const {

@@ -199,6 +199,7 @@ std::string write_scene(const Scene& scene) {
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) s += (i ? ",\n" : "") + body_text(scene, scene.bodies[i]);
   s += "\n ]";
   if (!scene.ignore.empty()) s += ",\n \"ignore\":" + ignored_text(scene);
+  if (!scene.clearances.empty()) s += ",\n \"clearances\":" + io::clearances_text(scene.clearances);
   if (scene.mechanism) s += ",\n \"mechanism\":" + mechanism_text(*scene.mechanism);
   if (scene.at_rest == AtRest::test) s += ",\n \"at_rest\":\"test\"";
   if (!scene.id.empty()) s += ",\n \"id\":" + scene.id;

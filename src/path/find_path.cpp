@@ -131,6 +131,8 @@ namespace taut::internal::path {
 
 PathAnswer find_path(const PathProblem& problem, const PathOptions& options, const OnNone& on_none) {
   validate_options(options);
+  if (!problem.linkage.scene.clearances.empty())
+    throw InputError("clearances", "a way keeps one clearance of all pairs", "take them out of the scene");
   const Budget scope(options.limits);
   PathAnswer answer;
   try {

@@ -104,6 +104,7 @@ class Disassembly {
     Scene those = scene_;
     those.bodies.clear();
     for (const BodyId k : left_) those.bodies.push_back(scene_.bodies[static_cast<std::size_t>(k)]);
+    those.clearances.clear();
     std::erase_if(those.ignore,
                   [&](const auto& pair) { return !is_there(those, pair[0]) || !is_there(those, pair[1]); });
     const Separation found = separate_straight(those, {});

@@ -201,7 +201,7 @@ MarginAnswer prove_clearance_of_curves(const Scene& scene, double clearance, std
                                        const CheckOptions& given) {
   CheckOptions options = given;
   options.all_pairs = false;
-  CurvedMargin found = margin_of_curves(scene, clearance, options);
+  CurvedMargin found = margin_of_curves(scene, PairMargins(clearance), options);
   if (!is_worth_a_log(found.answer, scene)) return found.answer;
   const std::optional<Unproved> unproved = prove_sides(
       scene, found.world, found.answer, options.touch,

@@ -223,6 +223,9 @@ std::optional<SeparationsBody> body_about_clearance(const Scene& scene, const Ma
 MarginAnswer prove_clearance(const Scene& scene, double clearance, std::ostream& log, const CheckOptions& given) {
   // The parts of this query have limits of their own. This limit applies to all of them together.
   const Budget scope(given.limits);
+  if (!scene.clearances.empty())
+    throw InputError("clearances", "a log is about one clearance for all pairs",
+                     "take them out of the scene, or ask check_clearance()");
   if (has_curves(scene)) return prove_clearance_of_curves(scene, clearance, log, given);
   CheckOptions options = given;
   options.all_pairs = false;

@@ -83,7 +83,7 @@ template <class IsCloser>
 std::optional<proof::FineInstant> instant_between_doubles(const proof::VerifierPair& pair, const MotionSegment& segment,
                                                           const proof::Incidence& close, bool is_edge, double margin,
                                                           const TimeInterval& about, const IsCloser& is_closer) {
-  const spacetime::PreciseApproaches approaches(pair.geometry, segment, margin);
+  const spacetime::PreciseApproaches approaches(pair.geometry, segment, constant_margin(margin));
   const double from = std::max(segment.start, about.lo);
   const double to = std::min(segment.end, std::nextafter(about.hi, std::numeric_limits<double>::infinity()));
   const auto found = approaches.first({close.vertex, close.edge, is_edge}, from, to);

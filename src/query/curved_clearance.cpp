@@ -7,6 +7,7 @@
 #include "numeric/budget.hpp"
 #include "query/bracket.hpp"
 #include "query/curved_questions.hpp"
+#include "query/margins.hpp"
 #include "query/nearest_points.hpp"
 #include "scene/instance.hpp"
 
@@ -142,7 +143,7 @@ class ClearanceBracket {
 
   bool keeps(double margin, const CheckOptions& how) const {
     try {
-      return check_clearance(scene_, margin, how).outcome == Outcome::free;
+      return check_margins(scene_, PairMargins(margin), how).outcome == Outcome::free;
     } catch (const Interrupted&) {
       return false;
     }
@@ -247,8 +248,8 @@ MarginAnswer undecided_margin(MarginAnswer outer, const std::string& reason) {
 /// between two runs too wide, and refines them until the answer is found.
 class MarginBracket {
  public:
-  MarginBracket(const Scene& scene, double clearance, const CheckOptions& options)
-      : clearance_(clearance), options_(options), run_(scene, options_.limits) {
+  MarginBracket(const Scene& scene, const PairMargins& margins, const CheckOptions& options)
+      : margins_(margins), options_(options), run_(scene, options_.limits) {
     options_.all_pairs = false;
     wanted_ = options_.time_tolerance * (scene.end - scene.start);
   }
@@ -256,7 +257,7 @@ class MarginBracket {
   MarginAnswer ask(CurveSide side) const {
     CheckOptions options = options_;
     options.limits = run_.limits_left();
-    MarginAnswer answer = check_clearance(run_.world().polygons(side), clearance_, options);
+    MarginAnswer answer = check_margins(run_.world().polygons(side), margins_, options);
     answer.geometry = run_.geometry();
     return answer;
   }
@@ -300,8 +301,9 @@ class MarginBracket {
 
   void mark(const MarginAnswer& answer, Marks& marks) const {
     if (!answer.first) return;
-    const bool late = answer.outcome == Outcome::contact;
-    marks.near(answer.first->bodies, late ? answer.first->time.hi : run_.world().scene().start, clearance_);
+    const PairMargin& first = *answer.first;
+    const double t = answer.outcome == Outcome::contact ? first.time.hi : run_.world().scene().start;
+    marks.near(first.bodies, t, margin_at(first.margin, t));
   }
 
   MarginAnswer concluded(const MarginAnswer& outer, MarginAnswer inner) const {
@@ -314,7 +316,7 @@ class MarginBracket {
     return inner;
   }
 
-  double clearance_;
+  const PairMargins& margins_;
   CheckOptions options_;
   CurvedRun run_;
   double wanted_ = 0;
@@ -356,24 +358,27 @@ Clearance clearance_of_curves(const Scene& scene, const ClearanceOptions& option
   return answer;
 }
 
-CurvedMargin margin_of_curves(const Scene& scene, double clearance, const CheckOptions& options) {
-  MarginBracket bracket(scene, clearance, options);
+CurvedMargin margin_of_curves(const Scene& scene, const PairMargins& margins, const CheckOptions& options) {
+  MarginBracket bracket(scene, margins, options);
   MarginAnswer answer = bracketed(bracket);
   return {std::move(answer), bracket.take_world()};
 }
 
-MarginAnswer check_clearance_of_curves(const Scene& scene, double clearance, const CheckOptions& options) {
-  MarginAnswer answer = margin_of_curves(scene, clearance, options).answer;
+MarginAnswer check_margins_of_curves(const Scene& scene, const PairMargins& margins, const CheckOptions& options) {
+  MarginAnswer answer = margin_of_curves(scene, margins, options).answer;
   if (!options.all_pairs) return answer;
   CheckOptions all = options;
-  const MarginAnswer pairs = check_clearance(CurvedWorld(scene).polygons(CurveSide::outer), clearance, all);
+  const MarginAnswer pairs = check_margins(CurvedWorld(scene).polygons(CurveSide::outer), margins, all);
   all.all_pairs = false;
   for (PairMargin pair : pairs.pairs) {
     if (pair.outcome != Outcome::free) {
       std::vector<BodyId> ids;
       const Scene small = scene_of_pair(scene, pair.bodies, ids);
-      const MarginAnswer own = check_clearance(small, clearance, all);
+      const PairMargins only(pair.margin);
+      const MarginAnswer own = check_margins(small, only, all);
       PairMargin found = own.first.value_or(PairMargin{});
+      found.margin = pair.margin;
+      found.margin_at = margin_at(pair.margin, own.outcome == Outcome::contact ? found.time.hi : own.free_until);
       found.bodies = pair.bodies;
       found.outcome = own.outcome;
       found.free_until = own.free_until;

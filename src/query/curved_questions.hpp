@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scene/curved_world.hpp"
+#include "scene/pair_margins.hpp"
 #include "taut/check.hpp"
 #include "taut/clearance.hpp"
 #include "taut/intervals.hpp"
@@ -29,12 +30,12 @@ struct CurvedMargin {
   MarginAnswer answer;
   CurvedWorld world;
 };
-/// Like check_clearance_of_curves(), without `all_pairs`.
-CurvedMargin margin_of_curves(const Scene& scene, double clearance, const CheckOptions& options);
+/// Like check_margins_of_curves(), without `all_pairs`.
+CurvedMargin margin_of_curves(const Scene& scene, const PairMargins& margins, const CheckOptions& options);
 
 Clearance clearance_of_curves(const Scene& scene, const ClearanceOptions& options);
 DistanceProfile distance_profile_of_curves(const Scene& scene, const ProfileOptions& options);
-MarginAnswer check_clearance_of_curves(const Scene& scene, double clearance, const CheckOptions& options);
+MarginAnswer check_margins_of_curves(const Scene& scene, const PairMargins& margins, const CheckOptions& options);
 Intervals intervals_of_curves(const Scene& scene, const CheckOptions& options);
 /// `precisely` as overlap_intervals() takes it.
 Intervals intervals_of_polygons(const Scene& scene, const CheckOptions& options, bool precisely);

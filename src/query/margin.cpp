@@ -10,6 +10,7 @@
 #include "numeric/progress.hpp"
 #include "numeric/undecided.hpp"
 #include "query/curved_questions.hpp"
+#include "query/margins.hpp"
 #include "query/nearest_points.hpp"
 #include "scene/mechanism_lock.hpp"
 #include "scene/pairs_in_reach.hpp"
@@ -27,11 +28,11 @@ using spacetime::MarginResult;
 
 class MarginSearch {
  public:
-  MarginSearch(const Scene& scene, double clearance, const CheckOptions& options)
+  MarginSearch(const Scene& scene, const PairMargins& margins, const CheckOptions& options)
       : options_(options),
         instance_(scene),
-        clearance_(clearance),
-        margin_(std::ldexp(clearance, instance_.exponent())),
+        in_scene_(scene.bodies.size()),
+        margins_(margins),
         offset_(offset_for(options.touch)),
         stop_(instance_.end()) {
     answer_.free_until = instance_.end();
@@ -39,7 +40,7 @@ class MarginSearch {
 
   MarginAnswer run() {
     if (instance_.coverage(0).is_empty()) return untested();
-    const std::vector<std::pair<int, int>> near = CoarseBoxes(instance_).pairs_within(margin_);
+    const std::vector<std::pair<int, int>> near = pairs_in_reach();
     answer_.coverage = instance_.coverage(instance_.scene_pairs(near));
     for (const auto& [a, b] : near) {
       checkpoint();
@@ -65,11 +66,37 @@ class MarginSearch {
     return std::move(answer_);
   }
 
+  /// In internal units.
+  Margin margin_of(int a, int b) const {
+    const auto [first, second] = instance_.scene_pair(a, b);
+    return scaled(margins_.of(first, second), instance_.exponent());
+  }
+  /// Pairs that certainly stay farther apart than their margins are left out.
+  std::vector<std::pair<int, int>> pairs_in_reach() const {
+    const CoarseBoxes boxes(instance_);
+    const std::vector<double> of_scene = margins_.shares(in_scene_, instance_.start(), instance_.end());
+    std::vector<double> shares;
+    for (const InstanceBody& body : instance_.bodies())
+      shares.push_back(std::ldexp(of_scene[static_cast<std::size_t>(body.body)], instance_.exponent()));
+    std::vector<std::pair<int, int>> near = boxes.pairs_within(shares);
+    if (margins_.all_alike()) return near;
+    std::erase_if(near, [&](const auto& pair) {
+      const auto [a, b] = pair;
+      return boxes.distance(a, b) > margin_over(margin_of(a, b), instance_.start(), instance_.end()).upper();
+    });
+    return near;
+  }
+
   void ask(int a, int b) {
     PairMargin pair;
     pair.bodies = instance_.scene_pair(a, b);
+    pair.margin = margins_.of(pair.bodies[0], pair.bodies[1]);
     pair.free_until = instance_.end();
+    margin_ = margin_of(a, b);
     resolve(PairInstance(instance_, a, b, offset_), pair);
+    pair.margin_at =
+        internal::margin_at(pair.margin, pair.outcome == Outcome::contact ? pair.time.hi : pair.free_until);
+    if (pair.nearest && pair.outcome == Outcome::contact) pair.nearest->hi = pair.margin_at;
     if (options_.all_pairs) answer_.pairs.push_back(pair);
     if (pair.outcome == Outcome::free) return;
     // Other pairs are followed a little further, so that those that come closer at the same time are detected.
@@ -91,9 +118,10 @@ class MarginSearch {
       pair.free_until = instance_.start();
       return;
     }
+    // Where bodies have been before, they were as close, but perhaps not to the same margin.
+    const double until = is_constant(margin_) ? std::min(stop_, search.segments().repeats_from()) : stop_;
     take(search,
-         spacetime::first_closer(search.geometry, search.trees(), search.segments(), margin_,
-                                 {-INFINITY, std::min(stop_, search.segments().repeats_from())}),
+         spacetime::first_closer(search.geometry, search.trees(), search.segments(), margin_, {-INFINITY, until}),
          pair);
   }
 
@@ -158,7 +186,6 @@ class MarginSearch {
     const bool first = search.geometry.in_p(vertex);
     NearestPoints nearest =
         nearest_points_of(search, found.segment, found.hi, first ? vertex : peer, first ? peer : vertex);
-    nearest.hi = clearance_;
     nearest.time = {pair.time.hi, pair.time.hi};
     pair.nearest = nearest;
     const FeatureMap witness(search.bodies, search.geometry, offset_);
@@ -222,7 +249,9 @@ class MarginSearch {
 
   const CheckOptions& options_;
   Instance instance_;
-  double clearance_, margin_;  ///< in the scene's units, and in internal units
+  std::size_t in_scene_;  ///< the number of the scene's bodies
+  const PairMargins& margins_;
+  Margin margin_;  ///< of the pair at hand, in internal units
   Offset offset_;
   double stop_;
   std::vector<std::pair<int, int>> asked_;  ///< so far
@@ -234,13 +263,13 @@ class MarginSearch {
 
 namespace {
 
-MarginAnswer check_clearance_of_polygons(const Scene& scene, double clearance, const CheckOptions& options) {
+MarginAnswer check_margins_of_polygons(const Scene& scene, const PairMargins& margins, const CheckOptions& options) {
   const Budget scope(options.limits);
   std::optional<MarginSearch> search;
   MarginAnswer answer;
   try {
     validate_polygons(scene);
-    return search.emplace(scene, clearance, options).run();
+    return search.emplace(scene, margins, options).run();
   } catch (const Interrupted& limit) {
     answer.reason = limit.reason;
   }
@@ -252,15 +281,19 @@ MarginAnswer check_clearance_of_polygons(const Scene& scene, double clearance, c
 
 }  // namespace
 
+MarginAnswer internal::check_margins(const Scene& scene, const PairMargins& margins, const CheckOptions& options) {
+  if (options.fit != 0)
+    throw InputError("fit", "a clearance is that of bodies as they are", "leave one of the two out");
+  MarginAnswer answer = has_curves(scene) ? check_margins_of_curves(scene, margins, options)
+                                          : check_margins_of_polygons(scene, margins, options);
+  note_lock(scene, answer.outcome, answer.reason);
+  return answer;
+}
+
 MarginAnswer check_clearance(const Scene& scene, double clearance, const CheckOptions& options) {
   if (!(clearance > 0 && std::isfinite(clearance)))
     throw InputError("clearance", "it is not a positive number", "check() asks whether bodies touch");
-  if (options.fit != 0)
-    throw InputError("fit", "a clearance is that of bodies as they are", "leave one of the two out");
-  MarginAnswer answer = has_curves(scene) ? check_clearance_of_curves(scene, clearance, options)
-                                          : check_clearance_of_polygons(scene, clearance, options);
-  note_lock(scene, answer.outcome, answer.reason);
-  return answer;
+  return check_margins(scene, PairMargins(scene, clearance), options);
 }
 
 }  // namespace taut

@@ -31,6 +31,10 @@ CoarseBoxes::CoarseBoxes(const Instance& instance)
 }
 
 std::vector<std::pair<int, int>> CoarseBoxes::pairs_within(double reach) const {
+  return pairs_within(std::vector<double>(instance_.bodies().size(), reach / 2));
+}
+
+std::vector<std::pair<int, int>> CoarseBoxes::pairs_within(const std::vector<double>& shares) const {
   std::vector<int> groups;
   if (!instance_.tests_groups()) {
     for (const InstanceBody& body : instance_.bodies()) groups.push_back(body.group);
@@ -38,7 +42,7 @@ std::vector<std::pair<int, int>> CoarseBoxes::pairs_within(double reach) const {
   std::vector<std::pair<int, int>> pairs;
   for (const std::vector<AxisBox>& boxes : windows_) {
     std::vector<AxisBox> in_reach;
-    for (const AxisBox& box : boxes) in_reach.push_back(grown(box, reach / 2));
+    for (std::size_t k = 0; k < boxes.size(); ++k) in_reach.push_back(grown(boxes[k], shares[k]));
     BoxTree(in_reach, groups).each_two([&](int i, int j) {
       if (instance_.asked(i, j)) pairs.emplace_back(std::minmax(i, j));
     });

@@ -16,6 +16,8 @@ class CoarseBoxes {
   /// In order, all pairs a < b that are asked about and whose boxes are within `reach` of each other in some window,
   /// and perhaps a few more. No other pair that is asked about ever comes closer than `reach`, in internal units.
   std::vector<std::pair<int, int>> pairs_within(double reach) const;
+  /// The same with a reach for each pair: the sum of its bodies' shares.
+  std::vector<std::pair<int, int>> pairs_within(const std::vector<double>& shares) const;
   /// A lower bound of the distance of two bodies at all times, in internal units.
   double distance(int a, int b) const;
 

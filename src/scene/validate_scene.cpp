@@ -12,6 +12,7 @@
 #include "geometry/shape_facts.hpp"
 #include "motion/pieces.hpp"
 #include "scene/cross_sections.hpp"
+#include "scene/pair_margins.hpp"
 #include "scene/ring_set.hpp"
 #include "taut/error.hpp"
 #include "taut/validate.hpp"
@@ -177,6 +178,7 @@ void validate_polygons(const Scene& scene) {
   validate_range(range, range);
   validate_parents(scene, names);
   validate_ignored(scene, names);
+  validate_clearances(scene);
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     const Body& body = scene.bodies[i];
     validate_motion(body.motion, body.name, boxes[i], scene.start, scene.end, extent);

@@ -89,7 +89,9 @@ void Simulation::remove_body(BodyId body) {
         throw InputError(next.bodies[k].name, "it is attached to \"" + name + "\", which is to be removed",
                          "attach it to another body first: set_parent()");
     }
-    std::erase_if(next.ignore, [&](const auto& pair) { return pair[0] == name || pair[1] == name; });
+    const auto names_it = [&](const std::array<std::string, 2>& pair) { return pair[0] == name || pair[1] == name; };
+    std::erase_if(next.ignore, names_it);
+    std::erase_if(next.clearances, [&](const PairClearance& entry) { return names_it(entry.pair); });
     name = name + " (body " + std::to_string(body) + ", removed)";
     next.ignore.push_back({name, "*"});
     std::vector<bool> before = impl.removed;

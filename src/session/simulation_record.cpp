@@ -16,7 +16,9 @@ void MotionRecord::begin(const Scene& scene, const std::vector<bool>& removed) {
     return name == "*" || std::any_of(current_.bodies.begin(), current_.bodies.end(),
                                       [&](const Body& body) { return body.name == name; });
   };
-  std::erase_if(current_.ignore, [&](const auto& pair) { return !is_there(pair[0]) || !is_there(pair[1]); });
+  const auto is_gone = [&](const std::array<std::string, 2>& pair) { return !is_there(pair[0]) || !is_there(pair[1]); };
+  std::erase_if(current_.ignore, is_gone);
+  std::erase_if(current_.clearances, [&](const PairClearance& entry) { return is_gone(entry.pair); });
 }
 
 /// In place, as there may be many pieces. One that would begin at t or later is replaced.

@@ -75,11 +75,11 @@ template <class Real, class Use>
 auto PreciseApproaches::with_functions(const VertexPeer& pair, const Use& use) const {
   TaylorFrames* const models = &models_;
   if (!pair.is_edge) {
-    return use(VertexMargin<Real>(segment_, geometry_, pair.vertex, pair.peer, margin_, models),
+    return use(VertexMargin<Real>(segment_, geometry_, pair.vertex, pair.peer, margin_.terms<Real>(), models),
                [](const Ball<Real>&) { return true; });
   }
   const VertexEdge edge{pair.vertex, pair.peer};
-  return use(LineMargin<Real>(segment_, geometry_, edge.line(geometry_), margin_, models),
+  return use(LineMargin<Real>(segment_, geometry_, edge.line(geometry_), margin_.terms<Real>(), models),
              BesideEdge<Real>(segment_, geometry_, edge, models));
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "certificate/precise_time.hpp"
+#include "certificate/segment_margin.hpp"
 #include "certificate/taylor_frames.hpp"
 #include "spacetime/crossing.hpp"
 
@@ -31,9 +32,11 @@ struct Approach {
 /// projects, or between two vertices. So only these pairs have to be tested.
 class PreciseApproaches {
  public:
-  /// The margin is in internal units, and must be positive.
-  PreciseApproaches(const PairGeometry& geometry, const MotionSegment& segment, double margin)
-      : geometry_(geometry), segment_(segment), margin_(margin) {}
+  /// The margin is in internal units.
+  PreciseApproaches(const PairGeometry& geometry, const MotionSegment& segment, const Margin& margin)
+      : geometry_(geometry), segment_(segment), margin_(margin, segment) {}
+
+  const SegmentMargin& margin() const { return margin_; }
 
   /// The first approach in (from, to].
   std::optional<Approach> first(const VertexPeer& pair, double from, double to) const;
@@ -55,7 +58,7 @@ class PreciseApproaches {
 
   const PairGeometry& geometry_;
   const MotionSegment& segment_;
-  double margin_;
+  SegmentMargin margin_;
   mutable TaylorFrames models_;  ///< of the segment, shared by many pairs
 };
 

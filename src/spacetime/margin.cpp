@@ -15,11 +15,12 @@ namespace {
 /// Which features come as close as the margin first on one segment: what the walk asks.
 class MarginOnSegment {
  public:
-  MarginOnSegment(const PairGeometry& geometry, const TreePair& trees, const MotionSegment& segment, double margin)
+  MarginOnSegment(const PairGeometry& geometry, const TreePair& trees, const MotionSegment& segment,
+                  const Margin& margin)
       : shortest(shortest_stretch * (segment.end - segment.start)),
         geometry_(geometry),
-        margin_(margin),
         approaches_(geometry, segment, margin),
+        greatest_(approaches_.margin().over(segment.start, segment.end).most),
         walk_(trees, segment, *this),
         proved_(segment.start) {}
 
@@ -35,7 +36,7 @@ class MarginOnSegment {
   double proved() const { return proved_; }
 
   const double shortest;
-  double distance_of_interest() const { return margin_; }
+  double distance_of_interest() const { return greatest_; }
   bool begins(double start) {
     if (best_) return start < best_->hi;
     proved_ = start;
@@ -43,27 +44,29 @@ class MarginOnSegment {
   }
   BoxDecision evaluate(const StretchOfTime& time, const BoxNode& p, const BoxNode& q) {
     const Stretch& s = time.bounds;
+    const SegmentMargin::Bounds margin = approaches_.margin().over(time.start, time.end);
     const Path relative = s.in_p.place(q.box.centre, p.box.centre);
     const Vector towards{relative.x.a, relative.y.a};
-    if (farther(s, p.box, q.box, towards, margin_)) return BoxDecision::done;
+    if (farther(s, p.box, q.box, towards, margin.most)) return BoxDecision::done;
     const bool leaf = p.count == 1 && q.count == 1;
-    if (time.divisible &&
-        (motion(s, p.box, q.box) > subdivision_threshold * (p.box.radius + q.box.radius + (leaf ? margin_ : 0)) ||
-         (leaf && farther_around_middle(s, worth_trying, p.box, q.box, towards, margin_))))
+    if (time.divisible && (motion(s, p.box, q.box) + margin.change >
+                               subdivision_threshold * (p.box.radius + q.box.radius + (leaf ? margin.most : 0)) ||
+                           (leaf && farther_around_middle(s, worth_trying, p.box, q.box, towards, margin.most))))
       return BoxDecision::deferred;
     if (!leaf) return BoxDecision::divided;
     // Each edge stands for its first vertex.
     const VertexId of_p(p.first), of_q(geometry_.np + q.first);
-    if (!vertices_farther(s, point(of_p), point(of_q), margin_)) resolve(time, {of_p, of_q, false});
-    if (!misses_edge(s.in_q, s, of_p, of_q)) resolve(time, {of_p, of_q, true});
-    if (!misses_edge(s.in_p, s, of_q, of_p)) resolve(time, {of_q, of_p, true});
+    if (!vertices_farther(s, point(of_p), point(of_q), margin.most)) resolve(time, {of_p, of_q, false});
+    if (!misses_edge(s.in_q, s, of_p, of_q, margin.most)) resolve(time, {of_p, of_q, true});
+    if (!misses_edge(s.in_p, s, of_q, of_p, margin.most)) resolve(time, {of_q, of_p, true});
     return BoxDecision::done;
   }
 
  private:
   Vector point(VertexId v) const { return {geometry_.point(v).x, geometry_.point(v).y}; }
-  bool misses_edge(const RelativePose& relative_pose, const Stretch& s, VertexId vertex, VertexId edge) const {
-    return misses(s, relative_pose, point(vertex), point(edge), point(geometry_.next(edge)), margin_);
+  bool misses_edge(const RelativePose& relative_pose, const Stretch& s, VertexId vertex, VertexId edge,
+                   double margin) const {
+    return misses(s, relative_pose, point(vertex), point(edge), point(geometry_.next(edge)), margin);
   }
   /// The pair's first approach within the stretch becomes the best if it is.
   void resolve(const StretchOfTime& time, const VertexPeer& pair) {
@@ -83,8 +86,8 @@ class MarginOnSegment {
   }
 
   const PairGeometry& geometry_;
-  double margin_;
   PreciseApproaches approaches_;
+  double greatest_;  ///< the margin is not greater on the segment
   Walk<MarginOnSegment> walk_;
   std::optional<Approach> best_;
   bool at_instant_ = false;
@@ -102,7 +105,7 @@ void note_approach(const Approach& found, MarginResult& result) {
 }  // namespace
 
 MarginResult first_closer(const PairGeometry& geometry, const TreePair& trees, const MotionSegments& segments,
-                          double margin, const TimeInterval& window) {
+                          const Margin& margin, const TimeInterval& window) {
   MarginResult result;
   for (std::size_t i = segments.first_until(window.lo); i < segments.size(); ++i) {
     const SegmentPlace at = segments.place(i);

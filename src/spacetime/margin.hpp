@@ -26,9 +26,9 @@ struct MarginResult {
 
 /// Searches within a window, for the displaced bodies, at the times of segments. Jumps at joints are omitted; they are
 /// rounding. The bodies must not overlap at the start of the window: bodies that come to overlap come closer than any
-/// margin before. The margin is in internal units, and must be positive. Bodies displaced inwards come to the margin
+/// margin before. The margin is in internal units, and never negative. Bodies displaced inwards come to the margin
 /// where the given ones are strictly closer than it, bodies displaced outwards where they are as close as it.
 MarginResult first_closer(const PairGeometry& geometry, const TreePair& trees, const MotionSegments& segments,
-                          double margin, const TimeInterval& window);
+                          const Margin& margin, const TimeInterval& window);
 
 }  // namespace taut::internal::spacetime

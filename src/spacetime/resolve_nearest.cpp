@@ -87,7 +87,7 @@ std::string resolve_nearest(const PairGeometry& geometry, const TreePair& trees,
     checkpoint();
     if (!(margin > certain && margin < best.distance) || step == most_halvings)
       return "doubles do not resolve the distance further";
-    const MarginResult found = first_closer(geometry, trees, segments, margin, window);
+    const MarginResult found = first_closer(geometry, trees, segments, constant_margin(margin), window);
     if (found.outcome == MarginResult::undecided) return found.reason;
     if (found.outcome == MarginResult::free) {
       best.unresolved = certain = margin;

@@ -8,6 +8,7 @@
 #include "certificate/frame_range.hpp"
 #include "certificate/margin_function.hpp"
 #include "certificate/precise_function.hpp"
+#include "certificate/segment_margin.hpp"
 #include "geometry/displacement.hpp"
 #include "motion/taylor_model_cache.hpp"
 #include "scene/placement.hpp"
@@ -117,6 +118,21 @@ TEST(CertificateFunction, IsTheOrientationInTheWorldForEveryFormOfMotion) {
   }
 }
 
+/// Not negative on [0, 2], and of a degree beyond that of a model, too.
+Margin random_margin(Rng& rng) {
+  Margin margin{{rng.real(0.1, 2)}, rng.chance(0.5) ? 0 : -0.5};
+  for (int degree = rng.chance(0.2) ? max_degree : rng.between(1, 4); degree > 0; --degree)
+    margin.coefficients.push_back(rng.real(0, 0.1));
+  return margin;
+}
+
+long double value_of(const Margin& margin, double t) {
+  long double sum = 0;
+  for (std::size_t k = margin.coefficients.size(); k-- > 0;)
+    sum = sum * (static_cast<long double>(t) - margin.origin) + margin.coefficients[k];
+  return sum;
+}
+
 /// The polynomial about the end holds the function everywhere up to there.
 template <class Function>
 void expect_held_by_terms(const Function& f, double end, double direction) {
@@ -180,6 +196,9 @@ TEST(CertificateFunction, IsSmoothInTheRootOfTheDistanceFromASingularEnd) {
     expect_held_by_terms(LineMargin<Real320>(segment, g, line(6), 0.25, &shared), end, direction);
     expect_held_by_terms(VertexMargin<Real320>(segment, g, VertexId(0), VertexId(6), 0.25, &shared), end, direction);
     expect_held_by_terms(VertexMargin<Real320>(segment, g, VertexId(6), VertexId(0), 0.25, &shared), end, direction);
+    const MarginTerms<Real320> margin = SegmentMargin(random_margin(rng), segment).terms<Real320>();
+    expect_held_by_terms(LineMargin<Real320>(segment, g, line(6), margin, &shared), end, direction);
+    expect_held_by_terms(VertexMargin<Real320>(segment, g, VertexId(0), VertexId(6), margin, &shared), end, direction);
   }
 }
 
@@ -212,6 +231,54 @@ TEST(Closeness, IsThatOfDistances) {
     EXPECT_NEAR(RealTraits<Real320>::to_double(line.value(now).mid), static_cast<double>(turn + margin * length),
                 1e-13);
     EXPECT_EQ(line.not_behind(now), turn < margin * length);
+  }
+}
+
+/// Of a margin that changes, by the same definition, also over stretches of time.
+TEST(Closeness, IsThatOfDistancesAndAMarginThatChanges) {
+  Rng rng(19);
+  for (int i = 0; i < 400; ++i) {
+    const PairGeometry g = random_pair(rng);
+    MotionPiece p = random_piece(rng), q = random_piece(rng);
+    if (rng.chance(0.3)) p.rotation = q.rotation = NoRotation{};
+    const MotionSegment segment = MotionSegment::motion(p, q, 0, 1);
+    const Margin margin = random_margin(rng);
+    const SegmentMargin on_segment(margin, segment);
+    const double t = rng.real(0, 1);
+    const auto at = [&](unsigned v) {
+      long double x, y;
+      world(g.in_p(VertexId(v)) ? p : q, t, g.point(VertexId(v)), x, y);
+      return std::pair(x, y);
+    };
+    const auto [ax, ay] = at(0);
+    const auto [bx, by] = at(1);
+    const auto [cx, cy] = at(6);
+    const long double m = value_of(margin, t), square = (cx - ax) * (cx - ax) + (cy - ay) * (cy - ay);
+    const long double turn = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
+    const long double length = std::sqrt((bx - ax) * (bx - ax) + (by - ay) * (by - ay));
+    const VertexMargin<Real320> vertices(segment, g, VertexId(0), VertexId(6), on_segment.terms<Real320>());
+    const LineMargin<Real320> line(segment, g, CertificateFunction::of(g, VertexId(0), VertexId(1), VertexId(6)),
+                                   on_segment.terms<Real320>());
+    const Ball<Real320> now = Ball<Real320>::exact(t), around(Real320(t), 0x1p-8);
+    const auto near = [](const Ball<Real320>& x, long double wanted) {
+      EXPECT_NEAR(RealTraits<Real320>::to_double(x.mid), static_cast<double>(wanted), 1e-12);
+    };
+    near(vertices(now).v, m * m - square);
+    near(vertices.value(now), m * m - square);
+    near(line(now).v, turn + m * length);
+    near(line.value(now), turn + m * length);
+    near(line.telling_value(now), turn + m * length);
+    EXPECT_EQ(line.not_behind(now), turn < m * length);
+    // What holds over a stretch holds at its middle: values, slopes and second derivatives, by expansions or not.
+    for (const Jet<Real320>& range : {line(around), line.decisive_range(around), line(around)}) {
+      const Jet<Real320> exact = line(now);
+      EXPECT_EQ((range.v - exact.v).sign(), 0);
+      EXPECT_EQ((range.d - exact.d).sign(), 0);
+      EXPECT_EQ((range.dd - exact.dd).sign(), 0);
+    }
+    const SegmentMargin::Bounds bounds = on_segment.over(std::max(0.0, t - 0.25), t);
+    EXPECT_GE(bounds.most, static_cast<double>(m) * (1 - 1e-12));
+    EXPECT_LE(bounds.most - bounds.change, static_cast<double>(m) * (1 + 1e-12));
   }
 }
 

@@ -84,6 +84,7 @@ const std::vector<Example> examples = {
     always("worlds/planetary.json", is_free),
     always("worlds/puzzle.json", is_free),
     always("worlds/room.json", touches_at(2.283653104061214)),
+    always("worlds/shuttle.json", is_free),
 };
 
 const std::filesystem::path examples_folder = "examples";
@@ -124,6 +125,16 @@ TEST(ExampleWorlds, KeepTheirPlay) {
   // Two flanks of slope 2, one of them moved to the side by 0.1.
   EXPECT_NEAR(puzzle.lo, 0.1 * 2 / std::sqrt(5.0), 1e-8);
   EXPECT_NEAR(puzzle.hi, 0.1 * 2 / std::sqrt(5.0), 1e-8);
+}
+
+/// A drift of 0.0075 in each unit of time makes up for the 0.2 that there are to spare.
+TEST(ExampleWorlds, KeepMarginsOfTheirOwn) {
+  const Scene scene = read_scene((examples_folder / "worlds/shuttle.json").string());
+  const MarginAnswer answer = check_clearance(scene, 0.25);
+  ASSERT_EQ(answer.outcome, Outcome::contact);
+  EXPECT_EQ(answer.first->bodies, (std::array{0, 2}));
+  EXPECT_NEAR(answer.first->time.lo, 0.2 / 0.0075, 1e-9);
+  EXPECT_NEAR(answer.first->margin_at, 0.3, 1e-12);
 }
 
 /// Curves that run along each other for long: what margins prove is the lower end.
