@@ -56,7 +56,7 @@ from .questions import *
 # Not in __all__: `from taut2d import *` must leave Python's own range() alone.
 from .questions import range as range
 from .regions import SweptRegion, swept
-from .scene import Body, Scene
+from .scene import Body, PairClearance, Scene
 from .shape import Shape
 from .simulations import ContactMotion, SimulatedContact, Simulation, Tiling, TilingEdge, TilingFace
 from .svg import draw
@@ -69,7 +69,7 @@ __all__ = [
     "Angle", "Answer", "Arc", "Body", "Cells", "Contact", "ContactMotion", "Cosine", "Coverage", "Crossing", "CsvKeyframes",
     "Direction", "Drawing", "DrawingBody", "DrawingFile", "EdgeRef", "Free", "Gap", "GeojsonFile", "Geometry",
     "HalfAngleTangent", "InputError", "InternalError", "Keyframe", "KeyframeRows", "Keyframes", "Mover", "OpenLine",
-    "Orbit", "Outcome", "PairAnswer", "Part", "Path", "Pieces", "Polynomial", "Pose", "Proof", "ProvedCloseness",
+    "Orbit", "Outcome", "PairAnswer", "PairClearance", "Part", "Path", "Pieces", "Polynomial", "Pose", "Proof", "ProvedCloseness",
     "Repair", "Revolute", "Scene", "Shape", "SimulatedContact", "Simulation", "Skipped", "Slide", "StaticMap", "Sweep", "SweepAnswers", "SweptRegion",
     "TautError", "Tiling", "TilingEdge", "TilingFace", "Turn", "UndecidedError", "Velocity", "VelocityRows",
     "Verified", "VertexRef", "Viewer", "WktFile", "answer_dtype", "answers_frame", "cells", "check", "check_many", "draw",

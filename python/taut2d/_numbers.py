@@ -26,21 +26,21 @@ def number(value: Any, place: str) -> float:
     return result
 
 
-def _is_sequence(values: Any) -> bool:
+def is_sequence(values: Any) -> bool:
     # An array of numpy without dimensions has __iter__, too, and cannot be iterated over.
     return isinstance(values, Iterable) and not isinstance(values, (str, bytes)) and getattr(values, "ndim", 1) > 0
 
 
 def numbers(values: Any, place: str) -> tuple[float, ...]:
     """A sequence of finite doubles."""
-    if not _is_sequence(values):
+    if not is_sequence(values):
         raise InputError(place, f"expected numbers, found {type(values).__name__}", "give a list of numbers")
     return tuple(number(value, f"{place}[{i}]") for i, value in enumerate(values))
 
 
 def point(value: Any, place: str, hint: str = "write (x, y)") -> tuple[float, float]:
     """Two finite doubles; ``hint``: how they are written."""
-    if not _is_sequence(value):
+    if not is_sequence(value):
         raise InputError(place, f"expected two numbers, found {type(value).__name__}", hint)
     found = numbers(value, place)
     if len(found) != 2:

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any, Optional, Union
 
 from . import _taut2d, pictures
-from ._numbers import number, time_span
+from ._numbers import is_sequence, number, numbers, time_span
 from ._text_form import TextForm
 from .answers import Answer, Contact
 from .errors import InputError
@@ -23,7 +23,7 @@ from .words import AtRest, Touch
 if TYPE_CHECKING:
     from .viewer import Viewer
 
-__all__ = ["Body", "Scene"]
+__all__ = ["Body", "PairClearance", "Scene"]
 
 _motions = (Keyframes, CsvKeyframes, Velocity, Sweep, Polynomial, Pieces, Revolute, Slide, Free)
 
@@ -32,6 +32,13 @@ def _name(value: Any, place: str) -> str:
     if not isinstance(value, str):
         raise InputError(place, f"expected a name, found {type(value).__name__}", 'name the body, "lid", say')
     return value
+
+
+def _two_names(given: Any, place: str) -> tuple[str, str]:
+    pair = (given,) if isinstance(given, str) else tuple(given)
+    if len(pair) != 2:
+        raise InputError(place, "expected two names", 'write ("door", "pin"), or ("door", "*")')
+    return _name(pair[0], f"{place}[0]"), _name(pair[1], f"{place}[1]")
 
 
 @dataclass(frozen=True)
@@ -110,6 +117,34 @@ def _body_from_json(value: dict[str, Any]) -> Body:
 
 
 @dataclass(frozen=True)
+class PairClearance:
+    """What a pair of bodies is to keep, for check_clearance(), instead of the clearance that is asked about.
+
+    ``pair``: two names; "*" is every other body. What names both bodies counts before what names one of them, and that
+    before "*" twice.
+    ``margin``: a distance; or the coefficients of a polynomial in the time since ``origin``, in ascending powers: (0.2, 0.05)
+    is 0.2 + 0.05 (t - origin). It is not negative at any time of the scene, nor 0 at all of them.
+    """
+
+    pair: Sequence[str]
+    margin: Union[float, Sequence[float]]
+    origin: float = 0.0
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "pair", _two_names(self.pair, "pair"))
+        margin = self.margin
+        object.__setattr__(self, "margin", numbers(margin, "margin") if is_sequence(margin) else number(margin, "margin"))
+        object.__setattr__(self, "origin", number(self.origin, "origin"))
+
+    def _json(self) -> dict[str, Any]:
+        margin = list(self.margin) if isinstance(self.margin, tuple) else self.margin
+        written: dict[str, Any] = {"pair": list(self.pair), "margin": margin}
+        if self.origin != 0:
+            written["origin"] = self.origin
+        return written
+
+
+@dataclass(frozen=True)
 class Scene(TextForm):
     """Bodies and a closed time interval: when do two of the bodies first touch?
 
@@ -123,6 +158,7 @@ class Scene(TextForm):
     answer counts what was skipped: see Coverage.
     ``mechanism``: how bodies are joined, as the scene format has it: a dict with "ground", "joints", "drive" and "couple"
     (docs/mechanisms.md). Joined bodies have no motion of their own.
+    ``clearances``: of PairClearance, what certain pairs are to keep: see check_clearance().
     """
 
     bodies: Sequence[Body]
@@ -132,6 +168,7 @@ class Scene(TextForm):
     folder: Union[str, os.PathLike[str]] = field(default=".", compare=False)
     at_rest: AtRest = "skip"
     mechanism: Optional[Mapping[str, Any]] = None
+    clearances: Sequence[PairClearance] = ()
 
     def __post_init__(self) -> None:
         if self.at_rest not in ("skip", "test"):
@@ -143,13 +180,12 @@ class Scene(TextForm):
                                  "write Body(name, shape, motion)")
         object.__setattr__(self, "bodies", bodies)
         object.__setattr__(self, "time", time_span(self.time, "time"))
-        pairs = []
-        for i, given in enumerate(self.ignore):
-            pair = (given,) if isinstance(given, str) else tuple(given)
-            if len(pair) != 2:
-                raise InputError(f"ignore[{i}]", "expected two names", 'write ("door", "pin"), or ("door", "*")')
-            pairs.append((_name(pair[0], f"ignore[{i}][0]"), _name(pair[1], f"ignore[{i}][1]")))
-        object.__setattr__(self, "ignore", tuple(pairs))
+        object.__setattr__(self, "ignore", tuple(_two_names(pair, f"ignore[{i}]") for i, pair in enumerate(self.ignore)))
+        for i, clearance in enumerate(self.clearances):
+            if not isinstance(clearance, PairClearance):
+                raise InputError(f"clearances[{i}]", f"expected a PairClearance, found {type(clearance).__name__}",
+                                 'write PairClearance(("arm", "wall"), 0.5)')
+        object.__setattr__(self, "clearances", tuple(self.clearances))
         object.__setattr__(self, "folder", os.fspath(self.folder))
 
     def to_json(self) -> str:
@@ -164,6 +200,8 @@ class Scene(TextForm):
         object["bodies"] = bodies
         if self.ignore:
             object["ignore"] = [list(pair) for pair in self.ignore]
+        if self.clearances:
+            object["clearances"] = [clearance._json() for clearance in self.clearances]
         if self.at_rest != "skip":
             object["at_rest"] = self.at_rest
         if self.mechanism is not None:
@@ -179,7 +217,8 @@ class Scene(TextForm):
         _taut2d.read(_scene_text(text, name, folder))
         object = json.loads(text)
         return cls([_body_from_json(body) for body in object["bodies"]], object["time"], object.get("ignore", ()),
-                   object.get("id"), folder, object.get("at_rest", "skip"), object.get("mechanism"))
+                   object.get("id"), folder, object.get("at_rest", "skip"), object.get("mechanism"),
+                   [PairClearance(**clearance) for clearance in object.get("clearances", ())])
 
     def with_motion(self, name: str, motion: Optional[Motion]) -> Scene:
         """The same scene, in which one body moves in another way. Raises InputError if there is no such body."""

@@ -332,7 +332,8 @@ class Simulation:
         del self._places[name]
         scene = self.scene
         self._scene = replace(scene, bodies=[body for body in scene.bodies if body.name != name],
-                              ignore=[pair for pair in scene.ignore if name not in pair])
+                              ignore=[pair for pair in scene.ignore if name not in pair],
+                              clearances=[own for own in scene.clearances if name not in own.pair])
 
     def ignore(self, a: str, b: str) -> None:
         """The pair is not tested from ``time`` on."""

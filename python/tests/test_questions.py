@@ -4,6 +4,7 @@ import inspect
 import json
 import subprocess
 
+import numpy as np
 import pytest
 
 import taut2d
@@ -143,6 +144,34 @@ def test_margins(taut, tmp_path):
     assert str(taut2d.check_clearance(over, 2.5)) == "overlap at start: a and b overlap at the start"
     with pytest.raises(taut2d.InputError):
         taut2d.check_clearance(far, 0)
+
+
+def test_margins_of_their_own(taut, tmp_path):
+    own = taut2d.PairClearance(("rests", "moves"), np.array([0.25, 0.5]), origin=0)
+    world = taut2d.Scene(scene().bodies, (0, 2), clearances=[own])
+    # 3 - 4 t < 0.25 + 0.5 t from 11 / 18 on.
+    found = taut2d.check_clearance(world, 9)
+    assert found.outcome == "contact" and found.t[0] <= 11 / 18 <= found.t[1] and found.clearances == (own,)
+    assert found.first.margin == (0.25, 0.5) and found.first.margin_at == found.first.distance == pytest.approx(0.25 + 11 / 36)
+    assert f"do not keep a distance of {found.first.margin_at!r}" in str(found)
+    path = tmp_path / "scene.json"
+    world.save(path)
+    assert found.json == printed(taut, "check", "--clearance", "9", "--json", path)
+    assert taut2d.Scene.load(path) == world and eval(repr(own), vars(taut2d)) == own
+    early = taut2d.Scene(scene().bodies, (0, 0.5), clearances=[taut2d.PairClearance(["moves", "*"], 0.5)])
+    kept = taut2d.check_clearance(early, 9)
+    assert kept.outcome == "free" and "their clearances" in str(kept)
+    with pytest.raises(taut2d.InputError):
+        taut2d.prove_clearance(early, 9)
+    for pair, margin, place in [("ab", 1, "pair"), (("a", 1), 1, "pair[1]"), (("a", "b"), "1", "margin"),
+                                (("a", "b"), [1, "x"], "margin[1]"), (("a", "b"), float("nan"), "margin")]:
+        with pytest.raises(taut2d.InputError) as error:
+            taut2d.PairClearance(pair, margin)
+        assert error.value.place == place
+    for wrong in [taut2d.PairClearance(("rests", "nobody"), 1), taut2d.PairClearance(("rests", "*"), (1, -1)), ("rests", "moves")]:
+        with pytest.raises(taut2d.InputError) as error:
+            taut2d.check_clearance(taut2d.Scene(scene().bodies, (0, 2), clearances=[wrong]), 1)
+        assert error.value.place.endswith("clearances[0]")
 
 
 def test_proofs_of_a_clearance():
