@@ -176,6 +176,8 @@ export interface Scene {
   bodies: Body[];
   /** Pairs that are not asked about; "*" is every other body. */
   ignore?: [string, string][];
+  /** What certain pairs are to keep, at all times or as a polynomial in the time. */
+  clearances?: { pair: [string, string]; margin: number | number[]; origin?: number }[];
   mechanism?: Mechanism;
 }
 

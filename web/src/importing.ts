@@ -45,6 +45,7 @@ export function renamed(scene: Scene, before: string, after: string): void {
   const name = (n: string): string => (n === before ? after : n);
   renamedInJoints(scene, before, after);
   if (scene.ignore) scene.ignore = scene.ignore.map(([a, b]) => [name(a), name(b)]);
+  for (const own of scene.clearances ?? []) own.pair = [name(own.pair[0]), name(own.pair[1])];
 }
 
 /** Outlines from two places may lie on one another: body `index` goes to the right of the others. */

@@ -66,7 +66,8 @@ export class Lanes {
     const height = asked.distance_profile ? 84 : 24;
     this.lane("distance", wanted, height, colours, (place) => {
       if (curve) drawCurve(place, curve, this.player.t, clearance?.clearance ?? null);
-      if (curve && answers.check_clearance) drawMargin(place, curve, answers.check_clearance.clearance);
+      const margin = answers.check_clearance;
+      if (curve && margin && !margin.clearances) drawMargin(place, curve, margin.clearance);
       if (clearance?.clearance) drawLeast(place, clearance.clearance, curve);
       if (!curve && asked.distance_profile) write(place, `distance: ${wait("distance_profile")}`);
       else if (!clearance && asked.clearance) write(place, `clearance: ${wait("clearance")}`);
@@ -246,7 +247,7 @@ function drawCurve(place: Place, curve: DistanceCurve, t: number, least: Nearest
   dot(place, x(at), y(lo), colours.distance);
 }
 
-/** The clearance that is to be kept, if it is within the lane. */
+/** The clearance that all pairs are to keep, if it is within the lane. */
 function drawMargin({ c, colours, width, height }: Place, curve: DistanceCurve, clearance: number): void {
   const y = levelOf(height, curve)(clearance);
   if (y < 16) return;

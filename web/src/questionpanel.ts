@@ -238,12 +238,13 @@ export class QuestionPanel {
   }
 
   private marginWords(): Node[] {
-    const { outcome, clearance, t, pair, reason, lock } = this.asked.answers.check_clearance!;
-    const closer = `${pair?.join(" x ")}: closer than ${clearance}`;
+    const { outcome, clearance, clearances, first, t, pair, reason, lock } = this.asked.answers.check_clearance!;
+    const margin = first?.margin_at ?? first?.margin ?? clearance;
+    const closer = `${pair?.join(" x ")}: closer than ${margin}`;
     if (outcome === "free" || outcome === "locked") {
       const all = untested(this.asked.answers.check_clearance!.coverage) > 0 ? "Tested pairs keep" : "All keep";
       const time = outcome === "free" ? "for the whole time" : `until the lock at t = ${timeText(...lock!.t)}`;
-      return [h("p", {}, `${all} ${clearance}: proved ${time}.`)];
+      return [h("p", {}, `${all} ${clearances ? "their clearances" : clearance}: proved ${time}.`)];
     }
     if (outcome === "contact") return [h("p", {}, this.link(`${closer} at t = ${timeText(...t!)}`, t![0]))];
     if (outcome === "closer_at_start") return [h("p", {}, this.link(`${closer} at the start`, this.player.start))];

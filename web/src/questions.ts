@@ -114,10 +114,17 @@ export interface MarginAnswer extends Omit<Verdict, "outcome"> {
   outcome: Outcome | "closer_at_start";
   lock?: Lock;
   clearance: number;
+  /** Those of the scene, for which `clearance` does not count. */
+  clearances?: Scene["clearances"];
   t?: [number, number];
   pair?: [string, string];
-  /** The pair that comes closer first; points where the bodies do not overlap. */
-  first?: { distance?: number; points?: [[number, number], [number, number]] };
+  /** The pair that comes closer first; points where the bodies do not overlap; its own margin, and what that is then. */
+  first?: {
+    distance?: number;
+    points?: [[number, number], [number, number]];
+    margin?: number | number[];
+    margin_at?: number;
+  };
 }
 
 /** What the library calls each question, and its answer. */

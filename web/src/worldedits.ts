@@ -49,6 +49,7 @@ export function withoutBody(scene: Scene, index: number): Scene {
       out,
       out.ignore.filter((pair) => !pair.includes(gone.name)),
     );
+  if (out.clearances) out.clearances = out.clearances.filter((own) => !own.pair.includes(gone.name));
   return out;
 }
 

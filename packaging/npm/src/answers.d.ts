@@ -260,6 +260,11 @@ export interface PairMargin {
   outcome: MarginOutcome;
   t?: Bracket;
   grazing?: true;
+  /** Of a scene with clearances: what the pair is to keep, as in the scene. */
+  margin?: number | number[];
+  origin?: number;
+  /** What a margin that changes is at the end of `t`, or at `free_until`. */
+  margin_at?: number;
   vertex?: Feature;
   edge?: Feature;
   other_vertex?: Feature;
@@ -275,6 +280,8 @@ export interface PairMargin {
 export interface MarginAnswer extends Omit<Verdict, "outcome"> {
   outcome: MarginOutcome;
   clearance: number;
+  /** Those of the scene, for which `clearance` does not count. */
+  clearances?: PairClearance[];
   t?: Bracket;
   pair?: Pair;
   /** Of `pair`. */

@@ -101,6 +101,15 @@ export interface BodyOfParts extends AnyBody {
 }
 export type Body = BodyOfPolygon | BodyOfParts;
 
+/** What a pair is to keep, for check_clearance(): a distance, or the coefficients of a polynomial in the time since
+ * `origin`, in ascending powers. */
+export interface PairClearance {
+  /** Two names; "*" is every other body. */
+  readonly pair: readonly [string, string];
+  readonly margin: number | readonly number[];
+  readonly origin?: number;
+}
+
 /** A scene in the format taut-scene/1. Scenes that name files cannot be read here. */
 export interface SceneObject {
   readonly $schema?: string;
@@ -109,6 +118,8 @@ export interface SceneObject {
   readonly bodies: readonly Body[];
   /** Pairs of names that are not tested; "*" is every other body. */
   readonly ignore?: readonly (readonly [string, string])[];
+  /** What certain pairs are to keep instead of the clearance that is asked about. */
+  readonly clearances?: readonly PairClearance[];
   /** Are pairs tested that do not move? "skip" is the default. */
   readonly at_rest?: "skip" | "test";
   readonly id?: Id;

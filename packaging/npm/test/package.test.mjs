@@ -79,6 +79,9 @@ test("clearance(), intervals() and range() answer, too", async () => {
   await assert.rejects(taut.range(falls, 11), taut.TautError);
   assert.equal((await taut.checkClearance(rises, hi * 0.99)).outcome, "free");
   assert.equal((await taut.checkClearance(rises, hi * 1.01)).outcome, "closer_at_start");
+  const own = { ...rises, clearances: [{ pair: [rises.bodies[0].name, "*"], margin: [hi * 0.5, 0.001] }] };
+  const kept = await taut.checkClearance(own, 9);
+  assert.deepEqual([kept.outcome, kept.clearances], ["free", own.clearances]);
   const { profile } = await taut.distanceProfile(rises, { instants: 5 });
   assert.equal(profile[0].instants.length, 5);
   assert.ok(profile[0].stretches.every(([, , low, high]) => lo <= high && low <= high));
@@ -254,6 +257,8 @@ async function answersAbout(scene) {
     if (answer.outcome !== "overlap_at_start") await add("RangeAnswer", taut.range(scene, start, options));
     await add("MarginAnswer", taut.checkClearance(scene, 0.05, { pairs: "all", ...options }));
     await add("MarginAnswer", taut.checkClearance(scene, 3, options));
+    const clearances = [{ pair: ["*", "*"], margin: [3, 0.25], origin: -1 }];
+    await add("MarginAnswer", taut.checkClearance({ ...scene, clearances }, 3, { pairs: "all", ...options }));
     await add("ProfileAnswer", taut.distanceProfile(scene, { pairs: "all", instants: 3, ...options }));
     await add("SeparationAnswer", taut.separate(scene, options));
   }
