@@ -4,6 +4,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "io/json_scanner.hpp"
 #include "io/json_text.hpp"
 #include "io/text_file.hpp"
 
@@ -226,6 +227,14 @@ JsonDocument parse_json(std::string text, const std::string& name, const std::st
   if (document.text.find_first_not_of(" \t\r\n") == std::string::npos) {
     throw InputError(name, "the file is empty", example);
   }
+  if (scan_plain_json(document, max_depth)) return document;
+  document.tokens.clear();
+  document.strings.clear();
+  parse_any_json(document, quoting);
+  return document;
+}
+
+void parse_any_json(JsonDocument& document, Quoting quoting) {
   const char* begin = document.text.data();
   const char* furthest = begin;
   const char* end = begin + document.text.size();
@@ -234,9 +243,8 @@ JsonDocument parse_json(std::string text, const std::string& name, const std::st
   // The parser takes a NUL for the end of the text.
   const std::size_t nul = document.text.find('\0');
   if (nul != std::string::npos)
-    throw InputError(place_in_text(document.text, name, nul), "a NUL character ends the JSON, but not the file",
-                     "remove it, and what comes after it");
-  return document;
+    throw InputError(place_in_text(document.text, document.name, nul),
+                     "a NUL character ends the JSON, but not the file", "remove it, and what comes after it");
 }
 
 }  // namespace taut::internal::io

@@ -1,7 +1,8 @@
 // A JSON text as a flat list of tokens that remember where they stood.
 //
 // A polygon of a million vertices is two million numbers in a million small arrays: nlohmann's tree would take a
-// hundred bytes for each, and would forget the lines. Its SAX interface feeds this list instead.
+// hundred bytes for each, and would forget the lines. A scanner of plain JSON makes this list (json_scanner.hpp), or
+// its SAX interface.
 #pragma once
 
 #include <cstddef>
@@ -61,5 +62,7 @@ enum class Quoting : std::uint8_t { allowed, never };
 /// Throws InputError with line and column if the text is not JSON. `example` is the hint for an empty file.
 JsonDocument parse_json(std::string text, const std::string& name, const std::string& example,
                         Quoting quoting = Quoting::allowed);
+/// The same for the text of a document without tokens, whatever JSON it is, by a parser that says what is wrong.
+void parse_any_json(JsonDocument& document, Quoting quoting);
 
 }  // namespace taut::internal::io
