@@ -75,6 +75,7 @@ std::optional<double> negative_at(const Margin& margin, double start, double end
   for (const double t : {start, end}) {
     if (negative_there(margin, t)) return t;
   }
+  if (!(start < end)) return std::nullopt;
   std::vector<std::pair<double, double>> open{{start, end}};
   for (int left = most_intervals; !open.empty(); --left) {
     checkpoint();

@@ -334,6 +334,13 @@ TEST(PairMargins, AreRefusedWhereTheySayNothing) {
   expect(with({{{"*", "*"}, {{NAN}, 0}}}), "margin[0]");
   expect(with({{{"*", "*"}, {{1, INFINITY}, 0}}}), "margin[1]");
   expect(with({{{"*", "*"}, {{1}, INFINITY}}}), "origin");
+  Scene instant = falling(0);
+  instant.start = instant.end = 2;
+  instant.clearances = {{{"falls", "rests"}, {{5, -4, 1}, 0}}};
+  EXPECT_EQ(refusal(instant), "");
+  EXPECT_EQ(check_clearance(instant, 9).outcome, Outcome::free);
+  instant.clearances[0].margin.coefficients = {5.5, -4, 1};
+  EXPECT_EQ(check_clearance(instant, 9).outcome, Outcome::closer_at_start);
   // Every question is about a valid scene.
   Scene scene = falling(2);
   scene.clearances = {{{"falls", "nobody"}, {{1}, 0}}};
