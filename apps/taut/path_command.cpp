@@ -73,6 +73,12 @@ void add_path(const Command& app, Action& action) {
       .add_option("--tolerance", arguments->options.tolerance,
                   "divide cells down to this share of each joint's range (1e-4)")
       .value("X");
+  command.add_flag("--shortest", arguments->options.shortest,
+                   "make the way short, and say how much shorter another one could be");
+  command
+      .add_option("--within", arguments->options.within,
+                  "with --shortest: stop when it is at most this share longer than any way (0.05)")
+      .value("X");
   command.add_option("--max-cells", arguments->options.max_cells, "undecided when there are so many cells (4000000)")
       .value("N");
   add_max_seconds(command, arguments->options.limits);

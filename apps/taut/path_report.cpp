@@ -20,6 +20,12 @@ std::string name_in(const PathProblem& problem, BodyId id) {
   return problem.linkage.scene.bodies[static_cast<std::size_t>(id)].name;
 }
 
+std::string length_text(const PathLength& length) {
+  if (!(length.shortest_at_least > 0)) return fmt::format("  {:.9g} long\n", length.way);
+  return fmt::format("  {:.9g} long; every way is at least {:.9g} long, so this one is at most {:.3g} % too long\n",
+                     length.way, length.shortest_at_least, 100 * (length.way / length.shortest_at_least - 1));
+}
+
 }  // namespace
 
 std::string path_in_words(const PathProblem& problem, const PathAnswer& answer) {
@@ -29,6 +35,7 @@ std::string path_in_words(const PathProblem& problem, const PathAnswer& answer) 
                                                                : "UNDECIDED\n";
   text += coverage_text(answer.coverage);
   for (const JointValues& values : answer.waypoints) text += "  " + values_text(problem, values) + "\n";
+  if (answer.length) text += length_text(*answer.length);
   if (!answer.reason.empty()) text += "  " + answer.reason + "\n";
   if (answer.tight) {
     text += fmt::format("  {} x {}, about {}\n", name_in(problem, answer.tight->pair[0]),

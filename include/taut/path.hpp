@@ -54,12 +54,24 @@ struct TightPlace {
   std::vector<TightFeatures> features;
 };
 
+/// How long a way is, and how long every way is at the least.
+struct PathLength {
+  double way = 0;                ///< of the way that was found, rounded up
+  double shortest_at_least = 0;  ///< proved: no way from the start to the goal is shorter; rounded down
+  /// Of each joint. The length of a segment is the square root of the sum of (weight times change)^2. A weight is the
+  /// speed of the fastest vertex of any body at the start, in the scene's units, while that joint alone moves at
+  /// speed 1. All are 0 if the answer is exact: the length is then that of the way of each point of what moves.
+  JointValues weights{};
+};
+
 /// The answer of find_path().
 struct PathAnswer {
   PathOutcome outcome = PathOutcome::undecided;
   /// Of a path: from the start to the goal. Between two of them all joints move evenly. Every instant is proved free:
   /// check() of path_scene() is. Joints with a period may leave their range, as 370 after 350.
   std::vector<JointValues> waypoints;
+  /// Of a path, if it was to be short.
+  std::optional<PathLength> length;
   /// Of an undecided answer, unless a limit came first.
   std::optional<TightPlace> tight;
   /// Only translations were left, and exact signs decided: no tolerance mattered.
@@ -67,7 +79,8 @@ struct PathAnswer {
   /// The partition of all combinations as the search left it: it is fine where that mattered only. Cells that were not
   /// decided, and need not be, are `undecided`. Empty if the answer is exact.
   std::vector<EnvelopeCell> cells;
-  std::string reason;  ///< why it is undecided or untested; empty otherwise
+  /// Why it is undecided or untested, or why a path that was to be short may be longer than `within` says; else empty.
+  std::string reason;
   Coverage coverage;
 };
 
@@ -81,6 +94,10 @@ struct PathOptions {
   double tolerance = 1e-4;
   /// Stop with `undecided` when there are so many cells: some 700 bytes each.
   std::uint64_t max_cells = 4'000'000;
+  /// Make the way short, and bound from below how long any way is.
+  bool shortest = false;
+  /// A way that is at most this share longer than that bound is short enough. In [0, 1e6].
+  double within = 0.05;
   Limits limits = {};
 };
 

@@ -19,7 +19,7 @@ from .options import ask
 from .scene import Scene, _plain_places, _scene_text
 from .words import PathOutcome, Touch
 
-__all__ = ["PathAnswer", "PathProblem", "PathProof", "TightFeatures", "TightPlace", "VerifiedPath", "path", "prove_path", "verify_path"]
+__all__ = ["PathAnswer", "PathLength", "PathProblem", "PathProof", "TightFeatures", "TightPlace", "VerifiedPath", "path", "prove_path", "verify_path"]
 
 
 @dataclass(frozen=True)
@@ -101,15 +101,29 @@ class TightPlace:
 
 
 @dataclass(frozen=True)
+class PathLength:
+    """How long a way is. ``way``: its length, rounded up. ``shortest_at_least``: proved: every way from the start to the goal is
+    at least as long; rounded down. ``weights``: of each joint: the length of a segment is the square root of the sum of
+    (weight times change)^2; a weight is the speed of the fastest vertex of any body at the start, while that joint alone moves at
+    speed 1. None if the answer is exact: the length is then that of the way of each point of what moves."""
+
+    way: float
+    shortest_at_least: float
+    weights: Optional[Mapping[str, float]] = None
+
+
+@dataclass(frozen=True)
 class PathAnswer(Verdict):
     """Is there a way? ``outcome``: "path": along ``waypoints``, between which all joints move evenly; each instant is proved
     free. "none": proved, for ways of any shape within the joints' ranges. "undecided": neither was shown, because it is
     tight at ``tight``, or for another ``reason``. "untested": no pair was tested. ``exact``: only translations were left,
-    and exact signs decided. ``cells``: the partition of all joint values, if it was asked for. ``coverage``: which pairs
+    and exact signs decided. ``length``: of a path, if it was to be short; a ``reason`` says then why it may be longer than
+    ``within`` asks for. ``cells``: the partition of all joint values, if it was asked for. ``coverage``: which pairs
     that is about. ``json`` is what ``taut path --json`` prints."""
 
     outcome: PathOutcome
     waypoints: tuple[Mapping[str, float], ...]
+    length: Optional[PathLength]
     tight: Optional[TightPlace]
     exact: bool
     tolerance: float
@@ -190,15 +204,24 @@ def _tight_from(value: Any) -> Optional[TightPlace]:
                             for f in value["features"]))
 
 
+def _length_from(value: Any) -> Optional[PathLength]:
+    if value is None:
+        return None
+    weights = value.get("weights")
+    return PathLength(float(value["way"]), float(value["shortest_at_least"]),
+                      None if weights is None else {k: float(v) for k, v in weights.items()})
+
+
 def _path_from_json(text: str, problem: PathProblem) -> PathAnswer:
     value = json.loads(text)
     waypoints = tuple({k: float(v) for k, v in at.items()} for at in value.get("waypoints", ()))
-    return PathAnswer(value["outcome"], waypoints, _tight_from(value.get("tight")), value["exact"], float(value["tolerance"]),
+    return PathAnswer(value["outcome"], waypoints, _length_from(value.get("length")), _tight_from(value.get("tight")), value["exact"], float(value["tolerance"]),
                       value["cell_count"], _cells_from(value), value.get("reason"), Coverage(**value["coverage"]), text, problem.linkage._joint_names())
 
 
 def path(problem: PathProblem, *, touch: Touch = "open", clearance: float = 0.0, tolerance: float = 1e-4,
-         max_cells: int = 4_000_000, cells: bool = False, max_seconds: Optional[float] = None) -> PathAnswer:
+         shortest: bool = False, within: float = 0.05, max_cells: int = 4_000_000, cells: bool = False,
+         max_seconds: Optional[float] = None) -> PathAnswer:
     """Is there a way from the start to the goal on which nothing collides?
 
     The answer is a way, each instant of which is proved free, or the proof that there is none. Boxes of joint values are
@@ -207,13 +230,14 @@ def path(problem: PathProblem, *, touch: Touch = "open", clearance: float = 0.0,
 
     ``touch``: "open": bodies may touch all of the way; "closed": never. ``clearance``: keep at least this distance all of
     the way, whatever ``touch`` says. ``tolerance``: boxes are divided down to this share of each joint's range, from 1e-9 to
-    1. ``max_cells``, ``max_seconds``: undecided when there are so many boxes, or after so much wall time. ``cells``: hand out
+    1. ``shortest``: make the way short, and bound from below how long any way is; ``within``: a way that is at most this share
+    longer than that bound is short enough. ``max_cells``, ``max_seconds``: undecided when there are so many boxes, or after so much wall time. ``cells``: hand out
     the boxes. Raises InputError for a problem that makes no sense, and where the start, or a goal that is one combination,
     collides.
     """
     with _plain_places():
         answer, _, _ = ask("path", _problem_text(problem), touch=touch, clearance=clearance, tolerance=tolerance,
-                           max_cells=max_cells, cells=cells, max_seconds=max_seconds)
+                           shortest=shortest, within=within, max_cells=max_cells, cells=cells, max_seconds=max_seconds)
         return _path_from_json(answer, problem)
 
 

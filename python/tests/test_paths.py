@@ -125,3 +125,14 @@ def test_errors():
         taut2d.Free()
     with pytest.raises(taut2d.InputError):
         taut2d.path(problem, tolerance=0)
+
+
+def test_short_ways():
+    problem = door(1.2)
+    answer = taut2d.path(problem, shortest=True, within=0.5, max_seconds=60)
+    assert answer.outcome == "path" and answer.length is not None and answer.reason is None
+    assert answer.length.shortest_at_least <= answer.length.way <= 1.5 * answer.length.shortest_at_least
+    assert set(answer.length.weights) == {"x", "y", "turn"} and abs(answer.length.weights["x"] - 1) < 1e-12
+    assert taut2d.path(problem).length is None
+    with pytest.raises(taut2d.InputError, match="within"):
+        taut2d.path(problem, within=-1)

@@ -63,6 +63,16 @@ std::string path_json(const PathProblem& problem, const PathAnswer& answer, cons
     json.verdict(to_string(answer.outcome));
     if (answer.outcome == PathOutcome::path)
       json.key("waypoints").array(answer.waypoints, [&](const JointValues& v) { write_values(json, problem, v); });
+    if (answer.length) {
+      json.key("length").object([&] {
+        json.member("way", answer.length->way);
+        json.member("shortest_at_least", answer.length->shortest_at_least);
+        if (!answer.exact) {
+          json.key("weights");
+          write_values(json, problem, answer.length->weights);
+        }
+      });
+    }
     if (answer.tight) {
       json.key("tight");
       write_tight(json, problem, *answer.tight);
@@ -83,7 +93,7 @@ std::string path_json(const PathProblem& problem, const PathAnswer& answer, cons
 namespace taut::internal {
 namespace {
 
-/// Without `cells`, which not all of these take.
+/// Without what not all of these take.
 PathOptions path_options(const GivenOptions& given) {
   PathOptions options;
   options.touch = given.touch();
@@ -95,7 +105,9 @@ PathOptions path_options(const GivenOptions& given) {
 }
 
 Reply ask_path(const PathProblem& problem, const GivenOptions& given) {
-  const PathOptions options = path_options(given);
+  PathOptions options = path_options(given);
+  options.shortest = given.flag("shortest");
+  options.within = given.number("within");
   return {path_json(problem, find_path(problem, options), options, given.flag("cells"))};
 }
 
@@ -123,7 +135,12 @@ std::vector<QuestionEntry> path_questions() {
       whole_option("max_cells", 1, UINT32_MAX, defaults.max_cells, "Undecided when there are so many cells."),
       max_seconds_option()};
   std::vector<OptionEntry> with_cells = common;
-  with_cells.insert(with_cells.end() - 1, flag_option("cells", "The partition of all joint values, too."));
+  const std::vector<OptionEntry> of_ways{
+      flag_option("shortest", "Make the way short, and bound from below how long any way is."),
+      number_option("within", defaults.within,
+                    "A way that is at most this share longer than that bound is short enough."),
+      flag_option("cells", "The partition of all joint values, too.")};
+  with_cells.insert(with_cells.end() - 1, of_ways.begin(), of_ways.end());
   return {{.name = "path",
            .meaning = "A way from the start to the goal on which nothing collides, or the proof that there is none.",
            .answer = "PathAnswer",

@@ -120,7 +120,7 @@ bool CellTree::are_neighbours(CellId a, CellId b) const {
   for (std::size_t k = 0; k < dimension_; ++k) {
     if (!problem_.periodic[k]) continue;
     for (const std::int64_t turn : {whole_side, -whole_side}) {
-      Sides lo = second.lo;
+      CellSides lo = second.lo;
       lo[k] += turn;
       if (share_face(first.lo, first.side, lo, second.side)) return true;
     }
@@ -129,7 +129,8 @@ bool CellTree::are_neighbours(CellId a, CellId b) const {
 }
 
 /// In all directions but one they overlap by more than a point; in that one they may just touch.
-bool CellTree::share_face(const Sides& lo_a, const Sides& side_a, const Sides& lo_b, const Sides& side_b) const {
+bool CellTree::share_face(const CellSides& lo_a, const CellSides& side_a, const CellSides& lo_b,
+                          const CellSides& side_b) const {
   int touching = 0;
   for (std::size_t k = 0; k < dimension_; ++k) {
     const std::int64_t lo = std::max(lo_a[k], lo_b[k]), hi = std::min(lo_a[k] + side_a[k], lo_b[k] + side_b[k]);
@@ -139,29 +140,42 @@ bool CellTree::share_face(const Sides& lo_a, const Sides& side_a, const Sides& l
   return true;
 }
 
-std::optional<CommonPoint> CellTree::common_point(CellId a, CellId b) const {
+/// At most one joint is crossed at its end: faces are in common, not corners.
+std::vector<CellFace> CellTree::faces(CellId a, CellId b) const {
   const TreeCell &first = cells_[a], &second = cells_[b];
-  // At most one joint is crossed at its end: faces are in common, not corners.
-  for (std::size_t crossed = 0; crossed <= dimension_; ++crossed) {
-    if (crossed < dimension_ && !problem_.periodic[crossed]) continue;
-    for (const std::int64_t turn : {whole_side, -whole_side}) {
-      Sides lo = second.lo;
-      if (crossed < dimension_) lo[crossed] += turn;
-      if (!share_face(first.lo, first.side, lo, second.side)) continue;
-      CommonPoint common;
-      for (std::size_t k = 0; k < dimension_; ++k) {
-        const std::int64_t from = std::max(first.lo[k], lo[k]),
-                           to = std::min(first.lo[k] + first.side[k], lo[k] + second.side[k]);
-        common.at[k] = value(k, from + (to - from) / 2);
-      }
-      if (crossed < dimension_) {
-        const Joint& joint = problem_.linkage.joints[crossed];
-        common.shift[crossed] = turn > 0 ? joint.hi - joint.lo : joint.lo - joint.hi;
-      }
-      return common;
+  std::vector<CellFace> found;
+  const auto add = [&](std::size_t crossed, std::int64_t shift) {
+    CellSides lo = second.lo;
+    if (shift != 0) lo[crossed] += shift;
+    if (!share_face(first.lo, first.side, lo, second.side)) return;
+    CellFace face{{}, {}, crossed, shift};
+    for (std::size_t k = 0; k < dimension_; ++k) {
+      face.lo[k] = std::max(first.lo[k], lo[k]);
+      face.side[k] = std::min(first.lo[k] + first.side[k], lo[k] + second.side[k]) - face.lo[k];
+      if (face.side[k] == 0) face.axis = k;
     }
+    found.push_back(face);
+  };
+  if (a != b) add(0, 0);
+  for (std::size_t k = 0; k < dimension_; ++k) {
+    if (!problem_.periodic[k]) continue;
+    add(k, whole_side);
+    if (a != b) add(k, -whole_side);
   }
-  return std::nullopt;
+  return found;
+}
+
+std::optional<CommonPoint> CellTree::common_point(CellId a, CellId b) const {
+  const std::vector<CellFace> all = faces(a, b);
+  if (all.empty()) return std::nullopt;
+  const CellFace& face = all.front();
+  CommonPoint common;
+  for (std::size_t k = 0; k < dimension_; ++k) common.at[k] = value(k, face.lo[k] + face.side[k] / 2);
+  if (face.shift != 0) {
+    const Joint& joint = problem_.linkage.joints[face.axis];
+    common.shift[face.axis] = face.shift > 0 ? joint.hi - joint.lo : joint.lo - joint.hi;
+  }
+  return common;
 }
 
 }  // namespace taut::internal::path

@@ -17,6 +17,9 @@ inline constexpr CellId no_cell = UINT32_MAX;
 /// Sides are counted in units of 2^-48 of the joint's range.
 inline constexpr std::int64_t whole_side = std::int64_t{1} << 48;
 
+/// Numbers of such units.
+using CellSides = std::array<std::int64_t, max_joints>;
+
 /// What a search from the start or the goal knows of a cell.
 struct ReachMark {
   bool is_seed = false;
@@ -25,7 +28,7 @@ struct ReachMark {
 };
 
 struct TreeCell {
-  std::array<std::int64_t, max_joints> lo{}, side{};
+  CellSides lo{}, side{};
   CellState state = CellState::undecided;
   std::uint8_t axis = 0;      ///< along which it was halved
   CellId children = no_cell;  ///< the first one; the second one follows
@@ -41,6 +44,14 @@ struct TreeCell {
   std::vector<CellId> neighbours;
 
   bool is_leaf() const { return children == no_cell; }
+};
+
+/// What two cells have in common, as the first one sees it: a box of cells that is flat across `axis`. Where the second
+/// one sees it, its place along `axis` is less by `shift`: a period, or nothing.
+struct CellFace {
+  CellSides lo{}, side{};
+  std::size_t axis = 0;
+  std::int64_t shift = 0;
 };
 
 /// A point that two cells have in common. The second cell may be seen across the ends of joints with a period: it is
@@ -67,16 +78,19 @@ class CellTree {
   /// tolerance, or nothing moves across it: it is_least then.
   bool divide(CellId id);
 
+  /// All faces that two cells have in common, those without a shift first. A cell that is a period wide has one in
+  /// common with itself.
+  std::vector<CellFace> faces(CellId a, CellId b) const;
   std::optional<CommonPoint> common_point(CellId a, CellId b) const;
+  /// The value of a joint that belongs to so many units of its range.
+  double value(std::size_t joint, std::int64_t units) const;
 
  private:
-  using Sides = std::array<std::int64_t, max_joints>;
   void add_root();
   void evaluate(CellId id);
   std::optional<std::size_t> widest(CellId id) const;
-  double value(std::size_t joint, std::int64_t units) const;
   /// Do two boxes have a face in common, or the inside?
-  bool share_face(const Sides& lo_a, const Sides& side_a, const Sides& lo_b, const Sides& side_b) const;
+  bool share_face(const CellSides& lo_a, const CellSides& side_a, const CellSides& lo_b, const CellSides& side_b) const;
   bool are_neighbours(CellId a, CellId b) const;
   void add_half(CellId whole, CellId half, std::size_t axis, const OpenPairs* open);
   void join(CellId a, CellId b);

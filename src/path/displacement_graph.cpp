@@ -38,10 +38,6 @@ void for_each_edge(const ConvexRing& ring, const Visit& visit) {
   }
 }
 
-double distance(const ExactPoint& a, const ExactPoint& b) {
-  return std::hypot(b.near.x - a.near.x, b.near.y - a.near.y);
-}
-
 /// What is known of a point on the way.
 struct Node {
   ExactPoint at;
@@ -74,6 +70,10 @@ ConvexRing forbidden(const Polygon& rest, const Polygon& mover, const Dyadic& of
     if (turn <= 0) ++k;
   }
   return sum;
+}
+
+double distance(const ExactPoint& a, const ExactPoint& b) {
+  return std::hypot(b.near.x - a.near.x, b.near.y - a.near.y);
 }
 
 std::optional<ConvexRing> enlarged_by(const ConvexRing& ring, const Dyadic& share) {

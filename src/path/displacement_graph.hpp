@@ -12,6 +12,8 @@ namespace taut::internal::path {
 /// The sum of a convex polygon and another one mirrored at the origin, moved by `offset`: all displacements of `mover`
 /// at which it overlaps `rest`.
 ConvexRing forbidden(const Polygon& rest, const Polygon& mover, const Dyadic& offset_x, const Dyadic& offset_y);
+/// Rounded.
+double distance(const ExactPoint& a, const ExactPoint& b);
 /// Larger about its middle by this share; nothing if the middle, rounded, is not inside.
 std::optional<ConvexRing> enlarged_by(const ConvexRing& ring, const Dyadic& share);
 

@@ -9,6 +9,7 @@
 
 #include "numeric/budget.hpp"
 #include "path/path_search.hpp"
+#include "path/shortest.hpp"
 #include "path/translations.hpp"
 #include "scene/untested.hpp"
 #include "taut/error.hpp"
@@ -21,6 +22,8 @@ namespace {
 void validate_options(const PathOptions& options) {
   if (!(options.tolerance >= 1e-9 && options.tolerance <= 1))
     throw InputError("tolerance", "it is not between 1e-9 and 1", "it is a share of each joint's range");
+  if (!(options.within >= 0 && options.within <= 1e6))
+    throw InputError("within", "it is not between 0 and 1e6", "it is a share of the length of the shortest way");
   if (!(options.clearance >= 0 && options.clearance < INFINITY))
     throw InputError("clearance", "it is no distance", "give a length of at least 0, in the scene's units");
 }
@@ -113,6 +116,8 @@ void search(const PathProblem& problem, const PathOptions& options, const OnNone
   try {
     cells.run(answer);
     if (on_none && answer.outcome == PathOutcome::none) on_none(space, cells.tree());
+    if (options.shortest && answer.outcome == PathOutcome::path)
+      shorten(problem, options, space, checker, cells.tree(), answer);
   } catch (const Interrupted& limit) {
     answer.reason = limit.reason;
   }

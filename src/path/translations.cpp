@@ -1,6 +1,8 @@
 #include "path/translations.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -12,6 +14,9 @@
 
 namespace taut::internal::path {
 namespace {
+
+/// Shares by which obstacles are larger than they are, so that there is some room.
+constexpr std::array rooms = {-3, -6, -10, -16, -26, -34, -42, -50};
 
 /// Above, cells are faster.
 constexpr std::size_t most_obstacles = 4000;
@@ -44,6 +49,21 @@ class Translation {
     const auto obstacles = enlarged(obstacles_, growth, map_->displaced(problem_.start)),
                excluded = enlarged(goal_.excluded, growth);
     return obstacles && excluded ? way(*obstacles, {goal_.region, *excluded}) : std::nullopt;
+  }
+  double length(const std::vector<JointValues>& way) const {
+    double sum = 0;
+    for (std::size_t i = 0; i + 1 < way.size(); ++i)
+      sum += distance(map_->displaced(way[i]), map_->displaced(way[i + 1]));
+    return sum;
+  }
+  /// More than rounding adds to, or takes from, the length of a way that turns at each corner once at the most: each
+  /// distance is rounded by less than 2^-48 of the size.
+  double rounding() const {
+    const AxisBox range = bounds_of(range_);
+    std::size_t corners = 2;
+    for (const ConvexRing& ring : obstacles_) corners += ring.size();
+    return static_cast<double>(corners) * 0x1p-46 *
+           std::max({std::fabs(range.lo_x), std::fabs(range.lo_y), std::fabs(range.hi_x), std::fabs(range.hi_y)});
   }
   /// The joints' ranges hold; is it out of the way of all that it has to be?
   bool is_goal(const JointValues& values) const {
@@ -190,6 +210,14 @@ class Translation {
   DisplacementGoal goal_;
 };
 
+/// No way is shorter than the one that fits exactly, but for rounding.
+bool measured(const Translation& translation, const std::vector<JointValues>& tight, PathAnswer& answer) {
+  const double rounding = translation.rounding();
+  answer.length = PathLength{
+      translation.length(answer.waypoints) + rounding, std::max(0.0, translation.length(tight) - rounding), {}};
+  return true;
+}
+
 }  // namespace
 
 bool decide_translation(const PathProblem& problem, const PathOptions& options, const JointSpace& space,
@@ -213,9 +241,11 @@ bool decide_translation(const PathProblem& problem, const PathOptions& options, 
     return true;
   };
   // A way with some room is better, and nothing depends on rounding.
-  for (const int exponent : {-3, -6, -10, -16, -26, -34, -42, -50}) {
-    const auto roomy = translation->roomy_way(Dyadic(1, exponent));
-    if (roomy && accept(*roomy)) return true;
+  // Not so where it has to be short.
+  if (options.shortest && accept(*tight)) return measured(*translation, *tight, answer);
+  for (std::size_t i = 0; i < rooms.size(); ++i) {
+    const auto roomy = translation->roomy_way(Dyadic(1, options.shortest ? rooms[rooms.size() - 1 - i] : rooms[i]));
+    if (roomy && accept(*roomy)) return !options.shortest || measured(*translation, *tight, answer);
   }
   if (!accept(*tight))
     answer.reason = "there is a way that fits exactly, but its corners are not representable as doubles";

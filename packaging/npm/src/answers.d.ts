@@ -428,6 +428,8 @@ export interface PathAnswer {
    * have most room, and the sides of the cell. Of the pair, the vertex and the edge that are nearest to each other there,
    * and the nearest ones that push the other way, if there are some.
    */
+  /** Of a path, if it was to be short: no way is shorter than shortest_at_least. Without weights: of what moves itself. */
+  length?: { way: number; shortest_at_least: number; weights?: JointValues };
   tight?: { values: JointValues; size: JointValues; pair: Pair; features: TightFeatures[] };
   /** Only translations were left, and exact signs decided. */
   exact: boolean;
