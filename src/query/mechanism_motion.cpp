@@ -128,13 +128,6 @@ class MotionOfJoints {
   const std::vector<Drive>& drives() const { return equations().drives; }
   const std::vector<MechanismJoint>& joints() const { return scene_.mechanism->joints; }
 
-  LinkPoses<Rate> poses(std::size_t piece, const Ball<double>& t) const {
-    std::vector<Rate> values;
-    for (std::size_t k = 0; k < equations().joints.size(); ++k)
-      values.push_back(joint_value<Rate>(functions_, k, piece, t));
-    return link_poses(equations(), std::move(values));
-  }
-
   /// A joint of the mechanism, in the tree or not.
   Rate value(std::size_t joint, std::size_t piece, const Ball<double>& t) const {
     const auto& links = assembly_.tree.links;
@@ -186,16 +179,20 @@ class MotionOfJoints {
     const LoopEquations::Closure& closure = equations().closures[k];
     const auto p = next_pin(closure.first, closure.second), q = next_pin(closure.second, closure.first);
     if (closure.slide || !p || !q || *p == closure.at || *q == closure.at) return std::nullopt;
+    // Links are rigid: the angle is that of the drawing and what they have turned since, as seen from each other.
+    const auto axis = [&](const LocalPoint& pin) {
+      const auto [x, y] = pin.as<double>();
+      const auto [from_x, from_y] = closure.at.as<double>();
+      return std::array{x - from_x, y - from_y};
+    };
+    const auto a = axis(*p), b = axis(*q);
+    const Ball<double> cross = a[0] * b[1] - a[1] * b[0], along = a[0] * b[0] + a[1] * b[1];
+    const Ball<double> lengths = (a[0] * a[0] + a[1] * a[1]) * (b[0] * b[0] + b[1] * b[1]);
     const Function sine = [&](std::size_t piece, const Ball<double>& t) {
-      const LinkPoses<Rate> at = poses(piece, t);
-      const auto axis = [&](int link, const LocalPoint& pin) {
-        const PoseOf<Rate> pose = pose_of_link(at, link);
-        const auto a = placed_point(pose, closure.at), b = placed_point(pose, pin);
-        return std::array{b[0] - a[0], b[1] - a[1]};
-      };
-      const auto a = axis(closure.first, *p), b = axis(closure.second, *q);
-      const Rate cross = a[0] * b[1] - a[1] * b[0];
-      return cross * cross / ((a[0] * a[0] + a[1] * a[1]) * (b[0] * b[0] + b[1] * b[1]));
+      Rate s, c;
+      sin_cos_degrees(joint_value<Rate>(functions_, equations().joints.size() + k, piece, t), s, c);
+      const Rate height = c * cross + s * along;
+      return height * height * (Ball<double>::exact(1) / lengths);
     };
     const auto in_degrees = [](const Extreme& square) {
       return Extreme{angle_of_square(square.lo, false), angle_of_square(square.hi, true), square.t};

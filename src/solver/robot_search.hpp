@@ -103,6 +103,9 @@ class RobotSearch {
   void find_crossed(std::size_t link, double t);
   void cross(MotionSegment bridge, const Hierarchy& mover, Names names, RobotFinding& best);
 
+  /// Of a body that does not move.
+  static inline const PieceChain world_chain{};
+
   const MapBodies& bodies_;
   const FreeCells& cells_;
   std::vector<Link> links_;

@@ -254,6 +254,27 @@ TEST(MechanismMotion, FindsRangesOfSlidesThatReturn) {
   }
 }
 
+/// The rocker's pin is the crank's: the three links turn as one body, and no joint between them moves.
+TEST(MechanismMotion, OfALoopThatTurnsAsAWhole) {
+  const MechanismMotion turns = mechanism_motion(parse_scene(R"({"format":"taut-scene/1","time":[0,1],"bodies":[
+    {"name":"base","polygon":[[-1,-50],[1,-50],[1,-49]]},{"name":"crank","polygon":[[0,0],[10,-1],[10,1]]},
+    {"name":"coupler","polygon":[[10,0],[20,15],[14,12]]},{"name":"rocker","polygon":[[0,0],[20,14],[20,15]]}],
+   "mechanism":{"ground":"base","joints":{
+    "A":{"revolute":["base","crank"],"at":[0,0]},"B":{"revolute":["crank","coupler"],"at":[10,0]},
+    "C":{"revolute":["coupler","rocker"],"at":[20,15]},"D":{"revolute":["base","rocker"],"at":[0,0]}},
+   "drive":{"A":{"from_deg":0,"to_deg":400}}}})"));
+  EXPECT_EQ(turns.outcome, MechanismMotion::Outcome::moves);
+  EXPECT_NEAR(turns.joints[3].greatest.lo, 400, 1e-6);
+  for (const std::size_t still : {1u, 2u}) {
+    EXPECT_NEAR(turns.joints[still].least.lo, 0, 1e-8);
+    EXPECT_NEAR(turns.joints[still].greatest.hi, 0, 1e-8);
+  }
+  const double angle = std::acos(425 / (25 * std::sqrt(325.0))) * 180 / 3.14159265358979323846;
+  ASSERT_EQ(turns.transmission.size(), 1u);
+  EXPECT_NEAR(turns.transmission[0].least.lo, angle, 1e-6);
+  EXPECT_NEAR(turns.transmission[0].greatest.hi, angle, 1e-6);
+}
+
 /// Corners of all bodies are on the pins, of which two join three bodies, and every loop is closed at one of them.
 const char* const corners_on_pins = R"({"format":"taut-scene/1","time":[0,1],"bodies":[
     {"name":"base","polygon":[[0,0],[40,0],[20,-10]]},{"name":"crank","polygon":[[0,0],[10,0],[5,3]]},
