@@ -257,7 +257,7 @@ async function answersAbout(scene) {
     if (answer.outcome !== "overlap_at_start") await add("RangeAnswer", taut.range(scene, start, options));
     await add("MarginAnswer", taut.checkClearance(scene, 0.05, { pairs: "all", ...options }));
     await add("MarginAnswer", taut.checkClearance(scene, 3, options));
-    const clearances = [{ pair: ["*", "*"], margin: [3, 0.25], origin: -1 }];
+    const clearances = [{ pair: ["*", "*"], margin: [3, 0.25], origin: start - 1 }];
     await add("MarginAnswer", taut.checkClearance({ ...scene, clearances }, 3, { pairs: "all", ...options }));
     await add("ProfileAnswer", taut.distanceProfile(scene, { pairs: "all", instants: 3, ...options }));
     await add("SeparationAnswer", taut.separate(scene, options));
