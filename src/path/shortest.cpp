@@ -114,6 +114,8 @@ class Shortening {
   /// Takes the way, made tauter, if it is shorter, and proved.
   void offer(std::vector<JointValues> way) {
     tighten(way);
+    way.erase(std::unique(way.begin(), way.end()), way.end());
+    if (way.size() == 1) way.push_back(way.front());
     const double length = metric_.length(way);
     if (!(length < answer_.length->way) || !checker_.proves(way)) return;
     answer_.waypoints = std::move(way);

@@ -212,9 +212,10 @@ class Translation {
 
 /// No way is shorter than the one that fits exactly, but for rounding.
 bool measured(const Translation& translation, const std::vector<JointValues>& tight, PathAnswer& answer) {
-  const double rounding = translation.rounding();
-  answer.length = PathLength{
-      translation.length(answer.waypoints) + rounding, std::max(0.0, translation.length(tight) - rounding), {}};
+  const double way = translation.length(answer.waypoints);
+  // Where it stays, nothing is rounded.
+  const double rounding = way > 0 ? translation.rounding() : 0;
+  answer.length = PathLength{way + rounding, std::max(0.0, std::min(way, translation.length(tight)) - rounding), {}};
   return true;
 }
 

@@ -45,6 +45,26 @@ PathLength length_of(const PathProblem& problem, const PathOptions& options) {
   return *answer.length;
 }
 
+TEST(PathShortest, NoWayIsNeededWhereTheStartIsInTheGoal) {
+  PathOptions options;
+  options.shortest = true;
+  for (const bool turns : {false, true}) {
+    PathProblem problem = short_slot(2.25, 1, false, turns);
+    problem.goal[0] = {1, 2};
+    const PathLength length = length_of(problem, options);
+    EXPECT_EQ(length.way, 0);
+    EXPECT_EQ(length.shortest_at_least, 0);
+  }
+}
+
+TEST(PathShortest, NoWaypointComesTwiceInARow) {
+  PathOptions options;
+  options.shortest = true;
+  const auto way = find_path(short_slot(2.25, 1, false, true), options).waypoints;
+  ASSERT_GT(way.size(), 2u);
+  for (std::size_t i = 1; i < way.size(); ++i) EXPECT_NE(way[i - 1], way[i]) << i;
+}
+
 TEST(PathShortest, TranslationsAreShortestUpToRounding) {
   for (const double top : {2.0, 2.25}) {
     for (const Touch touch : {Touch::open, Touch::closed}) {
