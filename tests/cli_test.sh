@@ -687,7 +687,7 @@ expect 2 '' '"start" is missing' path "$examples/linkages/lift.json"
 expect 1 'COLLIDES' '' envelope --tolerance 0.2 "$examples/paths/bracket.json"
 expect 1 'proof in none.proof, scene [0-9a-f]{16}$' '' prove "$examples/paths/piano_long.json" -o none.proof
 expect 0 '^VALID  piano x walls' '' verify "$examples/paths/piano_long.json" none.proof
-expect 0 '"valid":true,"outcome":"none","cells":' '' verify --json "$examples/paths/piano_long.json" none.proof
+expect 0 '"valid":true,"outcome":"none","touch":"open","cells":' '' verify --json "$examples/paths/piano_long.json" none.proof
 expect 1 '^NOT VALID.*' '' verify "$examples/paths/piano.json" none.proof
 expect 2 '' 'log is about paths' verify --expect free "$examples/paths/piano_long.json" none.proof
 expect 2 '' 'has a time instead of joints' verify free.json none.proof

@@ -160,11 +160,12 @@ int report_path_log(const VerifyArguments& arguments, const PathProblem& problem
     if (arguments.json) {
       print_text(verified_path_json(problem, v) + "\n");
     } else {
-      print_text(fmt::format(
-          "VALID  {}\n  no way from the start to the goal{}\n  {} cells, {} shown to collide, {} reached, scene "
-          "{:.16}\n",
-          pair_text(bodies), v.clearance > 0 ? fmt::format(" that keeps {}", v.clearance) : "", v.cells, v.colliding,
-          v.reached, to_hex(v.fingerprint)));
+      const std::string how =
+          v.barrier > 0 ? fmt::format("a closed polygon of {} displacements", v.barrier)
+                        : fmt::format("{} cells, {} shown to collide, {} reached", v.cells, v.colliding, v.reached);
+      print_text(fmt::format("VALID  {}\n  no way from the start to the goal{}{}\n  {}, scene {:.16}\n",
+                             pair_text(bodies), v.clearance > 0 ? fmt::format(" that keeps {}", v.clearance) : "",
+                             v.touch == Touch::closed ? " without touching" : "", how, to_hex(v.fingerprint)));
     }
     return exit_proved;
   } catch (const ProofError& error) {

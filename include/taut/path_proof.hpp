@@ -10,15 +10,19 @@
 
 namespace taut {
 
-/// Answers as find_path() does, and writes a proof log for `none`: docs/path-logs.md. Nothing useful for other
-/// outcomes: the proof of a way is that of path_scene(), by prove(). Where translations are decided by exact signs
-/// alone, the answer is `undecided` instead, and says so: a log is a partition of joint values. Throws InputError.
+/// Answers as find_path() does, and writes a proof log for `none`: docs/path-logs.md. Nothing is written for other
+/// outcomes: the proof of a way is that of path_scene(), by prove(). The answer is `undecided` where there is no way,
+/// but no log was found that verify_path() accepts. Throws InputError.
 PathAnswer prove_path(const PathProblem& problem, std::ostream& log, const PathOptions& options = {});
 
 /// What a log proves: that there is no way.
 struct VerifiedPath {
-  /// Whatever touching counts as; with a clearance, none that keeps at least this distance, in the scene's units.
+  /// No way without overlap, so none without touching either; `closed`: no way without touching.
+  Touch touch = Touch::open;
+  /// If it is not 0: no way that keeps at least this distance, in the scene's units.
   double clearance = 0;
+  /// Of translations: the number of edges of a closed polygon that no way crosses. Else 0, and there is a partition.
+  std::uint64_t barrier = 0;
   std::uint64_t cells = 0;      ///< of the partition
   std::uint64_t colliding = 0;  ///< of these, the ones that were shown to collide for all values in them
   std::uint64_t reached = 0;    ///< the others, as far as a chain of them leads there from the start
@@ -26,8 +30,9 @@ struct VerifiedPath {
 };
 
 /// Checks a log, whoever made it: that each cell that it says collides does, for all values in it, and that no chain of
-/// other cells leads from the start to the goal. Throws ProofError if the proof fails, InputError if the problem is not
-/// valid. Uses nothing of the search: src/path, src/joints and src/query.
+/// other cells leads from the start to the goal; or that no edge of its polygon can be crossed, and that the start and
+/// the goal are on different sides of it. Throws ProofError if the proof fails, InputError if the problem is not valid.
+/// Uses nothing of the search: src/path, src/joints and src/query.
 VerifiedPath verify_path(const PathProblem& problem, std::istream& log);
 
 /// Is this the beginning of a log about paths, as far as its first bytes say?

@@ -179,13 +179,17 @@ class VerifiedPath:
     """What a log proves about ways. It is true, as bool() has it, if the log is valid.
 
     ``valid``: True: no way leads from the start to the goal. False: it proves nothing, for the ``reason`` given. None: the
-    time was up. ``clearance``: None, or the distance that no way keeps. ``cells``, ``colliding``, ``reached``: of the partition
-    of all joint values: how many there are, how many were shown to collide, and how many of the others a chain leads to from
-    the start. ``scene_sha256``: names the problem."""
+    time was up. ``touch``: "open": no way without overlap; "closed": none without touching. ``clearance``: None, or the
+    distance that no way keeps. ``barrier``: of translations, the number of edges of a closed polygon that no way crosses; else
+    None. ``cells``, ``colliding``, ``reached``: of the partition of all joint values, 0 if there is none: how many there are,
+    how many were shown to collide, and how many of the others a chain leads to from the start. ``scene_sha256``: names the
+    problem."""
 
     valid: Optional[bool]
     reason: Optional[str] = None
+    touch: Optional[str] = None
     clearance: Optional[float] = None
+    barrier: Optional[int] = None
     cells: Optional[int] = None
     colliding: Optional[int] = None
     reached: Optional[int] = None

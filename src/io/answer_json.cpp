@@ -130,7 +130,9 @@ std::string verified_path_json(const PathProblem& problem, const VerifiedPath& p
   return answer_text(problem.linkage.scene, [&](AnswerWriter& json) {
     json.member("valid", true);
     json.member("outcome", to_string(PathOutcome::none));
+    json.member("touch", to_string(proved.touch));
     if (proved.clearance > 0) json.member("clearance", proved.clearance);
+    if (proved.barrier > 0) json.member("barrier", proved.barrier);
     json.member("cells", proved.cells);
     json.member("colliding", proved.colliding);
     json.member("reached", proved.reached);

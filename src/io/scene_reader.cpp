@@ -120,6 +120,9 @@ class SceneReader {
           0, "", "the scene has a time instead of joints",
           "ask `taut check` about it, or leave \"time\" out and write \"joints\": {\"lift\": [0, 60]}, or "
           "ranges of a mechanism's drives, \"drive\": {\"A\": [0, 90]}");
+    if (document_.at(0).kind() == JsonKind::object && io::has_member(document_, 0, "clearances"))
+      throw document_.error(0, "clearances", "a scene with joints has no clearances of single pairs",
+                            "leave them out; `taut path --clearance` keeps one distance of all pairs");
     // "periodic", "start" and "goal" are part of one question; the others pass over them.
     JsonObject root(
         document_, 0, "",

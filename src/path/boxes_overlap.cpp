@@ -15,6 +15,7 @@ struct ExactInterval {
 
 /// A body, its box where no joint moves it, and how joints do.
 struct SlidingBox {
+  BodyId body;
   AxisBox box;
   Slides slides;
 };
@@ -87,8 +88,8 @@ std::optional<std::size_t> only_joint(const Slides& slides, const SlideMap& map)
 
 }  // namespace
 
-std::optional<std::vector<ConvexRing>> boxes_overlap(const Linkage& linkage, const SlideMap& map,
-                                                     const LinkedPairs& pairs) {
+std::optional<std::vector<BoxesOverlap>> boxes_overlap(const Linkage& linkage, const SlideMap& map,
+                                                       const LinkedPairs& pairs) {
   std::vector<SlidingBox> moving, resting;
   for (std::size_t i = 0; i < linkage.scene.bodies.size(); ++i) {
     const auto body = static_cast<int>(i);
@@ -96,9 +97,9 @@ std::optional<std::vector<ConvexRing>> boxes_overlap(const Linkage& linkage, con
     // A joint that moves nothing makes a body one that moves by name only.
     if (!slides || slides->moves() != pairs.moves(body)) return std::nullopt;
     auto& kind = slides->moves() ? moving : resting;
-    kind.push_back({extent_of(linkage.scene.bodies[i]), std::move(*slides)});
+    kind.push_back({body, extent_of(linkage.scene.bodies[i]), std::move(*slides)});
   }
-  std::vector<ConvexRing> rings;
+  std::vector<BoxesOverlap> all;
   for (const SlidingBox& own : moving) {
     const bool whole = own.slides.moves_like(map.slides());
     const std::optional<std::size_t> joint = only_joint(own.slides, map);
@@ -106,13 +107,13 @@ std::optional<std::vector<ConvexRing>> boxes_overlap(const Linkage& linkage, con
     for (const SlidingBox& other : resting) {
       const std::array<ExactInterval, 2> sides = overlap_of(own, other);
       if (whole) {
-        rings.push_back(rectangle_of(sides));
+        all.push_back({rectangle_of(sides), {own.body, other.body}});
       } else if (auto strip = strip_of(sides, *joint, own.slides, linkage, map)) {
-        rings.push_back(std::move(*strip));
+        all.push_back({std::move(*strip), {own.body, other.body}, false});
       }
     }
   }
-  return rings;
+  return all;
 }
 
 }  // namespace taut::internal::path

@@ -59,10 +59,13 @@ JointCell CellTree::box(CellId id) const {
 
 std::optional<std::size_t> CellTree::widest(CellId id) const {
   const TreeCell& cell = cells_[id];
-  // A free cell has nothing open. It is divided to find where in it the goal is: across its longest side.
   std::array<double, max_joints> effect{};
-  for (std::size_t k = 0; k < dimension_; ++k) effect[k] = static_cast<double>(cell.side[k]);
   if (cell.open) effect = space_.effect(box(id), *cell.open);
+  // A free cell has no edges open, nor one in which a body stays deep inside another one. The first is divided to find
+  // where in it the goal is, the second for a proof's sake: across the longest side.
+  if (cell.state != CellState::undecided && effect == std::array<double, max_joints>{}) {
+    for (std::size_t k = 0; k < dimension_; ++k) effect[k] = static_cast<double>(cell.side[k]);
+  }
   std::optional<std::size_t> widest;
   for (std::size_t k = 0; k < dimension_; ++k) {
     const bool divisible = static_cast<double>(cell.side[k]) * 0x1p-48 > tolerance_ && cell.side[k] > least_side;

@@ -17,18 +17,6 @@ std::size_t lowest(const Polygon& ring) {
   return static_cast<std::size_t>(std::min_element(ring.begin(), ring.end(), below) - ring.begin());
 }
 
-/// The middle of the vertices, if it is strictly inside.
-std::optional<ExactPoint> middle_of(const ConvexRing& ring) {
-  double x = 0, y = 0;
-  for (const ExactPoint& p : ring) {
-    x += p.near.x / static_cast<double>(ring.size());
-    y += p.near.y / static_cast<double>(ring.size());
-  }
-  const ExactPoint middle = ExactPoint::of(Dyadic::exact(x), Dyadic::exact(y));
-  if (!is_inside(ring, middle)) return std::nullopt;
-  return middle;
-}
-
 /// A segment has one edge.
 template <class Visit>
 void for_each_edge(const ConvexRing& ring, const Visit& visit) {
@@ -77,11 +65,11 @@ double distance(const ExactPoint& a, const ExactPoint& b) {
 }
 
 std::optional<ConvexRing> enlarged_by(const ConvexRing& ring, const Dyadic& share) {
-  const std::optional<ExactPoint> middle = middle_of(ring);
-  if (!middle) return std::nullopt;
+  const ExactPoint middle = rounded_middle(ring);
+  if (!is_inside(ring, middle)) return std::nullopt;
   ConvexRing larger;
   for (const ExactPoint& p : ring)
-    larger.push_back(ExactPoint::of(p.x + share * (p.x - p.w * middle->x), p.y + share * (p.y - p.w * middle->y), p.w));
+    larger.push_back(ExactPoint::of(p.x + share * (p.x - p.w * middle.x), p.y + share * (p.y - p.w * middle.y), p.w));
   return larger;
 }
 

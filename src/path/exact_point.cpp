@@ -67,12 +67,17 @@ int turn_sign(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c) {
 
 bool same(const ExactPoint& a, const ExactPoint& b) { return a.x * b.w == b.x * a.w && a.y * b.w == b.y * a.w; }
 
-std::optional<ExactPoint> meeting_point(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
-                                        const ExactPoint& d) {
-  if (turn_sign(a, b, c) * turn_sign(a, b, d) > 0 || turn_sign(c, d, a) * turn_sign(c, d, b) > 0) return std::nullopt;
+std::optional<ExactPoint> line_meeting(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
+                                       const ExactPoint& d) {
   const Triple p = cross(cross(triple(a), triple(b)), cross(triple(c), triple(d)));
   if (p.w.is_zero()) return std::nullopt;
   return ExactPoint::of(p.x, p.y, p.w);
+}
+
+std::optional<ExactPoint> meeting_point(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
+                                        const ExactPoint& d) {
+  if (turn_sign(a, b, c) * turn_sign(a, b, d) > 0 || turn_sign(c, d, a) * turn_sign(c, d, b) > 0) return std::nullopt;
+  return line_meeting(a, b, c, d);
 }
 
 std::optional<ExactPoint> foot_point(const ExactPoint& p, const ExactPoint& a, const ExactPoint& b) {
@@ -109,6 +114,15 @@ bool is_inside(const ConvexRing& ring, const ExactPoint& p) {
     if (turn_sign(a, b, p) <= 0 && !same(a, b)) return false;
   }
   return true;
+}
+
+ExactPoint rounded_middle(const ConvexRing& ring) {
+  double x = 0, y = 0;
+  for (const ExactPoint& p : ring) {
+    x += p.near.x / static_cast<double>(ring.size());
+    y += p.near.y / static_cast<double>(ring.size());
+  }
+  return ExactPoint::of(Dyadic::exact(x), Dyadic::exact(y));
 }
 
 AxisBox bounds_of(const ConvexRing& ring) {

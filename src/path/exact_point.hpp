@@ -27,6 +27,9 @@ double nearest_quotient(const Dyadic& a, const Dyadic& b);
 int turn_sign(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c);
 bool same(const ExactPoint& a, const ExactPoint& b);
 
+/// Where the line through `a` and `b` meets the one through `c` and `d`, if they are not parallel.
+std::optional<ExactPoint> line_meeting(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
+                                       const ExactPoint& d);
 /// The only point that two segments have in common, if they are not parallel.
 std::optional<ExactPoint> meeting_point(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
                                         const ExactPoint& d);
@@ -42,6 +45,9 @@ ConvexRing without_repeated(const ConvexRing& ring);
 bool contains(const ConvexRing& ring, const ExactPoint& p);
 /// Is the point in the open one, which has an area?
 bool is_inside(const ConvexRing& ring, const ExactPoint& p);
+
+/// The middle of its corners, rounded.
+ExactPoint rounded_middle(const ConvexRing& ring);
 
 /// More than points are rounded by.
 AxisBox bounds_of(const ConvexRing& ring);

@@ -106,16 +106,11 @@ void search(const PathProblem& problem, const PathOptions& options, const OnNone
   const WayChecker checker(problem, space, options);
   require_free(problem, options, space, checker, problem.start, "start");
   if (const auto goal = Goal(problem, space).only()) require_free(problem, options, space, checker, *goal, "goal");
-  if (decide_translation(problem, options, space, checker, answer)) {
-    if (!on_none || answer.outcome != PathOutcome::none) return;
-    // The same again by cells.
-    answer.outcome = PathOutcome::undecided;
-    answer.exact = false;
-  }
+  if (decide_translation(problem, options, space, checker, on_none.barrier, answer)) return;
   PathSearch cells(problem, options, space, checker);
   try {
     cells.run(answer);
-    if (on_none && answer.outcome == PathOutcome::none) on_none(space, cells.tree());
+    if (on_none.cells && answer.outcome == PathOutcome::none) on_none.cells(space, cells.tree());
     if (options.shortest && answer.outcome == PathOutcome::path)
       shorten(problem, options, space, checker, cells.tree(), answer);
   } catch (const Interrupted& limit) {

@@ -4,13 +4,19 @@
 #include <functional>
 
 #include "path/cell_tree.hpp"
+#include "path/translations.hpp"
 
 namespace taut::internal::path {
 
-/// Called where cells, and not exact signs alone, show that there is no way.
-using OnNone = std::function<void(const JointSpace& space, CellTree& tree)>;
+/// Who wants to know why there is no way.
+struct OnNone {
+  /// Of translations: the barrier that keeps the start from the goal. If that is refused, cells are tried.
+  OnBarrier barrier;
+  /// The cells that show it.
+  std::function<void(const JointSpace& space, CellTree& tree)> cells;
+};
 
-/// With `on_none`, a problem that only exact signs decide to have no way is undecided.
+/// With `on_none`, a problem is undecided that has no way for reasons that neither a barrier nor cells give.
 PathAnswer find_path(const PathProblem& problem, const PathOptions& options, const OnNone& on_none);
 
 }  // namespace taut::internal::path

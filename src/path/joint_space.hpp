@@ -29,6 +29,7 @@ class JointSpace {
   /// `clearance` is in the scene's units.
   JointSpace(const PathProblem& problem, double clearance);
 
+  const Linkage& linkage() const { return problem_.linkage; }
   const LinkedPairs& pairs() const { return pairs_; }
   std::size_t dimension() const { return problem_.linkage.joints.size(); }
   const std::vector<std::array<BodyId, 2>>& of_scene() const { return bodies_; }

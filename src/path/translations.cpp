@@ -27,6 +27,12 @@ struct Piece {
   Layers z;
 };
 
+/// Pieces of a body that rests and of one that moves, which overlap at some displacements.
+struct PieceNumbers {
+  std::array<BodyId, 2> bodies;
+  std::array<std::size_t, 2> pieces;
+};
+
 class Translation {
  public:
   /// Nothing if the problem is of another kind.
@@ -64,6 +70,21 @@ class Translation {
     for (const ConvexRing& ring : obstacles_) corners += ring.size();
     return static_cast<double>(corners) * 0x1p-46 *
            std::max({std::fabs(range.lo_x), std::fabs(range.lo_y), std::fabs(range.hi_x), std::fabs(range.hi_y)});
+  }
+  /// Why there is no way, if that is found.
+  std::optional<Barrier> barrier(bool touching) const {
+    const std::vector<Obstacle> obstacles = obstacles_with_pieces();
+    BarrierProblem barriers{obstacles, beyond_ranges(), map_->displaced(problem_.start), goal_.region, {}, touching};
+    if (!problem_.goal_outside) return find_barrier(barriers);
+    for (const BoxesOverlap& boxes : boxes_) {
+      if (!boxes.moves_like_the_map || !is_inside(boxes.ring, barriers.start)) continue;
+      barriers.within = boxes.ring;
+      if (auto found = find_barrier(barriers)) {
+        found->boxes = boxes.bodies;
+        return found;
+      }
+    }
+    return std::nullopt;
   }
   /// The joints' ranges hold; is it out of the way of all that it has to be?
   bool is_goal(const JointValues& values) const {
@@ -118,12 +139,14 @@ class Translation {
     for (const auto& [a, b] : pairs) {
       const int mover = moves(a) ? a : b, rest = moves(a) ? b : a;
       const ExactVector &own = slides(mover).offset, &other = slides(rest).offset;
-      for (const Piece& moving : pieces_.at(mover)) {
-        for (const Piece& resting : pieces_.at(rest)) {
+      for (std::size_t i = 0; i < pieces_.at(mover).size(); ++i) {
+        for (std::size_t k = 0; k < pieces_.at(rest).size(); ++k) {
+          const Piece &moving = pieces_.at(mover)[i], &resting = pieces_.at(rest)[k];
           if (!moving.z.meet(resting.z)) continue;
           ConvexRing ring = forbidden(resting.outline, moving.outline, other.x - own.x, other.y - own.y);
           if (!moves(rest)) {
             obstacles_.push_back(std::move(ring));
+            sources_.push_back({{rest, mover}, {k, i}});
           } else if (is_inside(ring, nowhere)) {
             return false;
           }
@@ -137,9 +160,11 @@ class Translation {
   bool find_goal() {
     goal_.region = range_;
     if (problem_.goal_outside) {
-      auto excluded = boxes_overlap(problem_.linkage, *map_, space_.pairs());
-      if (excluded) goal_.excluded = std::move(*excluded);
-      return excluded.has_value();
+      const auto boxes = boxes_overlap(problem_.linkage, *map_, space_.pairs());
+      if (!boxes) return false;
+      boxes_ = *boxes;
+      for (const BoxesOverlap& one : boxes_) goal_.excluded.push_back(one.ring);
+      return true;
     }
     JointValues lo{}, hi{};
     for (std::size_t k = 0; k < space_.dimension(); ++k) {
@@ -200,12 +225,58 @@ class Translation {
     return all;
   }
 
+  /// A piece where joints do not move it.
+  ConvexRing placed(BodyId body, std::size_t piece) const {
+    const ExactVector& by = slides(body).offset;
+    ConvexRing ring;
+    for (const Point& p : pieces_.at(body)[piece].outline)
+      ring.push_back(ExactPoint::of(Dyadic::exact(p.x) + by.x, Dyadic::exact(p.y) + by.y));
+    return ring;
+  }
+  std::vector<Obstacle> obstacles_with_pieces() const {
+    std::vector<Obstacle> all;
+    for (std::size_t i = 0; i < obstacles_.size(); ++i) {
+      const auto& [bodies, pieces] = sources_[i];
+      all.push_back({obstacles_[i], bodies, {placed(bodies[0], pieces[0]), placed(bodies[1], pieces[1])}});
+    }
+    return all;
+  }
+  /// As wide as the ranges, around them. One joint's range has no width: to the left and right of it.
+  std::array<ConvexRing, 4> beyond_ranges() const {
+    const std::vector<std::size_t>& moving = map_->joints();
+    const ExactVector u = map_->slides().joint[moving[0]];
+    const ExactVector v = moving.size() == 2 ? map_->slides().joint[moving[1]] : ExactVector{-u.y, u.x};
+    const Joint &first = problem_.linkage.joints[moving[0]],
+                second = moving.size() == 2 ? problem_.linkage.joints[moving[1]] : Joint{"", 0, 0};
+    const double width = std::max({first.hi - first.lo, second.hi - second.lo, 1.0});
+    const bool turned = (u.x * v.y - u.y * v.x).sign() < 0;
+    const auto strip = [&](double lo, double hi, double other_lo, double other_hi, bool of_second) {
+      const auto corner = [&](double a, double b) {
+        const Dyadic s = Dyadic::exact(of_second ? b : a), t = Dyadic::exact(of_second ? a : b);
+        return ExactPoint::of(s * u.x + t * v.x, s * u.y + t * v.y);
+      };
+      ConvexRing ring = {corner(lo, other_lo), corner(hi, other_lo), corner(hi, other_hi), corner(lo, other_hi)};
+      if (turned != of_second) std::reverse(ring.begin(), ring.end());
+      return ring;
+    };
+    const auto below = [&](const Joint& joint, const Joint& other, bool of_second) {
+      return strip(joint.lo - width, joint.lo, other.lo - width, other.hi + width, of_second);
+    };
+    const auto above = [&](const Joint& joint, const Joint& other, bool of_second) {
+      return strip(joint.hi, joint.hi + width, other.lo - width, other.hi + width, of_second);
+    };
+    return {below(first, second, false), above(first, second, false), below(second, first, true),
+            above(second, first, true)};
+  }
+
   const PathProblem& problem_;
   const JointSpace& space_;
   std::map<int, Slides> slides_;
   std::optional<SlideMap> map_;
   std::map<int, std::vector<Piece>> pieces_;
   std::vector<ConvexRing> obstacles_;
+  std::vector<PieceNumbers> sources_;  ///< of each obstacle
+  std::vector<BoxesOverlap> boxes_;    ///< if the goal is "outside"
   ConvexRing range_;
   DisplacementGoal goal_;
 };
@@ -222,7 +293,7 @@ bool measured(const Translation& translation, const std::vector<JointValues>& ti
 }  // namespace
 
 bool decide_translation(const PathProblem& problem, const PathOptions& options, const JointSpace& space,
-                        const WayChecker& checker, PathAnswer& answer) {
+                        const WayChecker& checker, const OnBarrier& on_barrier, PathAnswer& answer) {
   if (options.clearance > 0) return false;
   const std::optional<Translation> translation = Translation::of(problem, space);
   if (!translation) return false;
@@ -233,7 +304,12 @@ bool decide_translation(const PathProblem& problem, const PathOptions& options, 
   answer.exact = true;
   if (!tight) {
     answer.outcome = PathOutcome::none;
-    return true;
+    if (!on_barrier) return true;
+    const auto barrier = translation->barrier(options.touch == Touch::closed);
+    if (barrier && on_barrier(space, *barrier)) return true;
+    answer.outcome = PathOutcome::undecided;
+    answer.exact = false;
+    return false;
   }
   const auto accept = [&](const std::vector<JointValues>& way) {
     if (!translation->is_goal(way.back()) || !checker.proves(way)) return false;

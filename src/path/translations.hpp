@@ -1,10 +1,16 @@
 // Where one body, or several fixed to each other, only translates: the answer by exact signs.
 #pragma once
 
+#include <functional>
+
+#include "path/barrier.hpp"
 #include "path/joint_space.hpp"
 #include "path/way.hpp"
 
 namespace taut::internal::path {
+
+/// Called with why there is no way. True if that is accepted as a proof.
+using OnBarrier = std::function<bool(const JointSpace& space, const Barrier& barrier)>;
 
 /// Sets the answer if the problem is of this kind, and can be decided here: one joint, or two in directions that are
 /// not parallel, slide all that moves in the same way, and no clearance is asked for. Goals may be of any kind. False
@@ -16,6 +22,6 @@ namespace taut::internal::path {
 /// leads along segments between these. With open touching, the polygons are as they are; with closed touching, they are
 /// a little larger, by 2^-200 of their size, as bodies are elsewhere. What crosses what is decided exactly.
 bool decide_translation(const PathProblem& problem, const PathOptions& options, const JointSpace& space,
-                        const WayChecker& checker, PathAnswer& answer);
+                        const WayChecker& checker, const OnBarrier& on_barrier, PathAnswer& answer);
 
 }  // namespace taut::internal::path

@@ -29,40 +29,7 @@ Point nearest_on_edge(const Point& p, const Point& a, const Point& b) {
 }  // namespace
 
 PathChecker::PathChecker(const PathProblem& problem, double clearance)
-    : problem_(problem), clearance_(clearance), ignored_(problem.linkage.scene) {
-  const std::vector<Body>& bodies = problem.linkage.scene.bodies;
-  const std::map<std::string, int> by_name = bodies_by_name(problem.linkage.scene);
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    BodyShape shape;
-    for (const Part& part : parts_of(bodies[i])) {
-      shape.parts.push_back({{part.outline}, part.z.value_or(bodies[i].z)});
-      shape.parts.back().rings.insert(shape.parts.back().rings.end(), part.holes.begin(), part.holes.end());
-    }
-    for (int body = static_cast<int>(i);; body = by_name.at(bodies[static_cast<std::size_t>(body)].relative_to)) {
-      shape.chain.push_back(body);
-      if (bodies[static_cast<std::size_t>(body)].relative_to.empty()) break;
-    }
-    bodies_.push_back(std::move(shape));
-  }
-}
-
-bool PathChecker::moves(int body) const {
-  const auto& motions = problem_.linkage.motions;
-  return static_cast<std::size_t>(body) < motions.size() && motions[static_cast<std::size_t>(body)].has_value();
-}
-
-/// Two bodies that are not ignored, and that a joint moves against each other.
-bool PathChecker::is_tested(std::uint32_t a, std::uint32_t b) const {
-  if (a >= bodies_.size() || b >= bodies_.size() || a == b) return false;
-  if (ignored_.has(static_cast<int>(a), static_cast<int>(b))) return false;
-  const std::vector<int>&first = bodies_[a].chain, &second = bodies_[b].chain;
-  const auto moves_apart = [&](const std::vector<int>& own, const std::vector<int>& other) {
-    return std::any_of(own.begin(), own.end(), [&](int body) {
-      return moves(body) && std::find(other.begin(), other.end(), body) == other.end();
-    });
-  };
-  return moves_apart(first, second) || moves_apart(second, first);
-}
+    : problem_(problem), clearance_(clearance), bodies_(problem) {}
 
 std::optional<PathChecker::EdgeOfPart> PathChecker::edge(const PathFeature& feature) const {
   if (feature.body >= bodies_.size()) return std::nullopt;
@@ -80,7 +47,7 @@ std::optional<PathChecker::EdgeOfPart> PathChecker::edge(const PathFeature& feat
 CellPose PathChecker::pose(const CellValues& values, const std::vector<int>& chain) const {
   CellPose whole;
   for (const int body : chain) {
-    if (moves(body)) whole = values.pose(*problem_.linkage.motions[static_cast<std::size_t>(body)]).of(whole);
+    if (bodies_.moves(body)) whole = values.pose(*problem_.linkage.motions[static_cast<std::size_t>(body)]).of(whole);
   }
   return whole;
 }
@@ -98,7 +65,7 @@ std::optional<std::array<CellFunction, 4>> PathChecker::sides(const CellValues& 
                                                               const PathCrossing& crossing) const {
   const auto of_first = edge(crossing.first), of_second = edge(crossing.second);
   const std::uint32_t a = crossing.first.body, b = crossing.second.body;
-  if (!of_first || !of_second || !of_first->z.meet(of_second->z) || !is_tested(a, b)) return std::nullopt;
+  if (!of_first || !of_second || !of_first->z.meet(of_second->z) || !bodies_.is_tested(a, b)) return std::nullopt;
   const Segment &first = of_first->ends, &second = of_second->ends;
   const CellPose to_second = seen(values, b, a), to_first = seen(values, a, b);
   return std::array<CellFunction, 4>{left_of(second[0], second[1], to_second.place(first[0])),
@@ -167,7 +134,7 @@ bool PathChecker::is_beyond(const CellValues& values, const CellPoint& at, const
 
 /// The point is in a part of its body, and stays inside a part of the other one that has a layer in common with it.
 bool PathChecker::stays_inside(const CellValues& values, const PathClaim& claim) const {
-  if (!is_tested(claim.body, claim.other) || !in_range(claim.point.x) || !in_range(claim.point.y)) return false;
+  if (!bodies_.is_tested(claim.body, claim.other) || !in_range(claim.point.x) || !in_range(claim.point.y)) return false;
   const CellPoint at = seen(values, claim.other, claim.body).place(claim.point);
   const auto meets_own = [&](const PartShape& part) {
     return std::any_of(bodies_[claim.body].parts.begin(), bodies_[claim.body].parts.end(), [&](const PartShape& own) {
@@ -204,7 +171,8 @@ bool PathChecker::stays_inside(const CellValues& values, const CellPoint& at, co
 /// The vertex stays within the clearance of a fixed point of the edge: along the way there, and across.
 bool PathChecker::stays_near(const CellValues& values, const PathClaim& claim) const {
   const auto moving = edge(claim.vertex), rest = edge(claim.edge);
-  if (!moving || !rest || !moving->z.meet(rest->z) || !is_tested(claim.vertex.body, claim.edge.body)) return false;
+  if (!moving || !rest || !moving->z.meet(rest->z) || !bodies_.is_tested(claim.vertex.body, claim.edge.body))
+    return false;
   const CellPoint at = seen(values, claim.edge.body, claim.vertex.body).place(moving->ends[0]);
   const Point middle{at.x.middle.mid, at.y.middle.mid}, foot = nearest_on_edge(middle, rest->ends[0], rest->ends[1]);
   const double far = std::hypot(middle.x - foot.x, middle.y - foot.y);
@@ -282,8 +250,7 @@ bool PathChecker::may_be_outside(const CellValues& values) const {
         covered.hi_y = std::max(covered.hi_y, values.least(z.y));
       }
     }
-    const bool moved = std::any_of(body.chain.begin(), body.chain.end(), [&](int b) { return moves(b); });
-    (moved ? moving : resting).push_back(covered);
+    (bodies_.is_moved(body) ? moving : resting).push_back(covered);
   }
   for (const CoveredExtent& a : moving) {
     for (const CoveredExtent& b : resting) {

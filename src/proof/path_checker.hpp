@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
+#include "proof/path_bodies.hpp"
 #include "proof/path_cell.hpp"
 #include "proof/path_log.hpp"
-#include "scene/ignored_pairs.hpp"
 
 namespace taut::internal::proof {
 
@@ -22,14 +22,6 @@ class PathChecker {
   bool may_be_start(const PathCell& cell) const;
 
  private:
-  struct PartShape {
-    std::vector<Polygon> rings;  ///< its outline, then its holes
-    Layers z;
-  };
-  struct BodyShape {
-    std::vector<PartShape> parts;
-    std::vector<int> chain;  ///< itself, its parent, and so on
-  };
   using Segment = std::array<Point, 2>;
   struct EdgeOfPart {
     Segment ends;
@@ -38,8 +30,6 @@ class PathChecker {
 
   /// The edge, or the one that begins at the vertex.
   std::optional<EdgeOfPart> edge(const PathFeature& feature) const;
-  bool is_tested(std::uint32_t a, std::uint32_t b) const;
-  bool moves(int body) const;
   /// The pose of one body seen from another one.
   CellPose seen(const CellValues& values, std::uint32_t from, std::uint32_t body) const;
   CellPose pose(const CellValues& values, const std::vector<int>& chain) const;
@@ -57,8 +47,7 @@ class PathChecker {
 
   const PathProblem& problem_;
   double clearance_;
-  std::vector<BodyShape> bodies_;
-  IgnoredPairs ignored_;
+  PathBodies bodies_;
 };
 
 }  // namespace taut::internal::proof

@@ -5,6 +5,7 @@
 
 #include "numeric/budget.hpp"
 #include "numeric/progress.hpp"
+#include "proof/barrier_checker.hpp"
 #include "proof/format.hpp"
 #include "proof/path_checker.hpp"
 #include "taut/path_proof.hpp"
@@ -154,7 +155,8 @@ bool is_path_log(std::istream& log) {
   log.read(first, 8);
   log.clear();
   log.seekg(begin);
-  return std::equal(proof::magic, proof::magic + 7, first) && first[7] == proof::of_paths;
+  return std::equal(proof::magic, proof::magic + 7, first) &&
+         (first[7] == proof::of_paths || first[7] == proof::of_barriers);
 }
 
 VerifiedPath verify_path(const PathProblem& problem, std::istream& log) {
@@ -163,10 +165,19 @@ VerifiedPath verify_path(const PathProblem& problem, std::istream& log) {
   for (const char c : proof::magic) {
     if (in.u8() != static_cast<std::uint8_t>(c)) throw ProofError("this is not a proof log of taut");
   }
-  if (in.u8() != static_cast<std::uint8_t>(proof::of_paths)) throw ProofError("the log is not about paths");
+  const auto kind = static_cast<char>(in.u8());
+  if (kind != proof::of_paths && kind != proof::of_barriers) throw ProofError("the log is not about paths");
   VerifiedPath verified;
   for (std::uint8_t& byte : verified.fingerprint) byte = in.u8();
   if (verified.fingerprint != path_fingerprint(problem)) throw ProofError("the log belongs to another problem");
+  if (kind == proof::of_barriers) {
+    const proof::Barrier barrier = proof::read_barrier(in, problem.goal_outside);
+    in.close();
+    proof::BarrierChecker(problem).require(barrier);
+    verified.touch = barrier.touching ? Touch::closed : Touch::open;
+    verified.barrier = barrier.edges.size();
+    return verified;
+  }
   verified.clearance = in.f64();
   if (!(verified.clearance >= 0 && verified.clearance < INFINITY)) throw ProofError("the log's header makes no sense");
   const proof::PathChecker checker(problem, verified.clearance);

@@ -9,6 +9,8 @@
 #include "numeric/budget.hpp"
 #include "path/find_path.hpp"
 #include "path/goal.hpp"
+#include "path/slides.hpp"
+#include "proof/barrier.hpp"
 #include "proof/format.hpp"
 #include "proof/path_checker.hpp"
 #include "scene/ring_set.hpp"
@@ -163,40 +165,84 @@ class PathLogWriter {
   proof::PathChecker checker_;
 };
 
-void write_path_header(proof::ByteWriter& out, const PathProblem& problem, double clearance) {
+void write_path_header(proof::ByteWriter& out, const PathProblem& problem, char kind) {
   for (const char c : proof::magic) out.u8(static_cast<std::uint8_t>(c));
-  out.u8(static_cast<std::uint8_t>(proof::of_paths));
+  out.u8(static_cast<std::uint8_t>(kind));
   for (const std::uint8_t byte : path_fingerprint(problem)) out.u8(byte);
-  out.f64(clearance);
+}
+
+/// A barrier as a log has it, or nothing if a corner is no exact number.
+std::optional<proof::Barrier> barrier_of_log(const path::JointSpace& space, const path::Barrier& barrier,
+                                             bool touching) {
+  const Dyadic one(1, 0);
+  const auto is_exact = [&](const path::ExactPoint& p) { return p.w == one; };
+  const auto place = [](const path::ExactPoint& p) { return proof::ExactPlace{p.x, p.y}; };
+  proof::Barrier log;
+  log.touching = touching;
+  for (std::size_t i = 0; i < 2; ++i) log.boxes[i] = static_cast<std::uint32_t>(barrier.boxes[i]);
+  for (const path::BarrierEdge& edge : barrier.edges) {
+    if (!is_exact(edge.from)) return std::nullopt;
+    proof::BarrierEdge written;
+    written.from = place(edge.from);
+    written.side = static_cast<std::uint8_t>(edge.side);
+    if (!edge.bodies) {
+      written.kind = proof::BarrierEdge::Kind::outside;
+    } else {
+      if (!is_exact(edge.common[0]) || !is_exact(edge.common[1])) return std::nullopt;
+      const path::ExactVector& offset = path::slides_of(space.linkage(), (*edge.bodies)[0])->offset;
+      written.body = static_cast<std::uint32_t>((*edge.bodies)[0]);
+      written.other = static_cast<std::uint32_t>((*edge.bodies)[1]);
+      for (std::size_t i = 0; i < 2; ++i)
+        written.common[i] = place(edge.common[i]) - proof::ExactPlace{offset.x, offset.y};
+    }
+    log.edges.push_back(std::move(written));
+  }
+  return log;
 }
 
 }  // namespace
 
 PathAnswer prove_path(const PathProblem& problem, std::ostream& log, const PathOptions& options) {
-  std::ostringstream text;
-  bool written = false;
-  PathAnswer answer = path::find_path(problem, options, [&](const path::JointSpace& space, path::CellTree& tree) {
-    proof::ByteWriter out(text);
-    write_path_header(out, problem, options.clearance);
-    written = PathLogWriter(problem, space, tree, options.clearance).write(out);
-    out.close();
-  });
-  if (answer.outcome != PathOutcome::none) return answer;
-  if (written) {
-    // Its cells may meet the goal by other bounds: what is handed out was read and found right.
-    std::istringstream read(text.str());
+  std::string text;
+  // What is handed out was read and found right: the log may have been written by bounds other than the verifier's.
+  const auto take = [&](const std::ostringstream& written) {
+    std::istringstream read(written.str());
     try {
       verify_path(problem, read);
     } catch (const ProofError&) {
-      written = false;
+      return false;
     }
-  }
-  if (!written) {
+    text = written.str();
+    return true;
+  };
+  path::OnNone on_none;
+  on_none.barrier = [&](const path::JointSpace& space, const path::Barrier& found) {
+    const auto barrier = barrier_of_log(space, found, options.touch == Touch::closed);
+    if (!barrier) return false;
+    std::ostringstream written;
+    proof::ByteWriter out(written);
+    write_path_header(out, problem, proof::of_barriers);
+    if (!write(out, *barrier, problem.goal_outside)) return false;
+    out.close();
+    return take(written);
+  };
+  on_none.cells = [&](const path::JointSpace& space, path::CellTree& tree) {
+    std::ostringstream written;
+    proof::ByteWriter out(written);
+    write_path_header(out, problem, proof::of_paths);
+    out.f64(options.clearance);
+    if (!PathLogWriter(problem, space, tree, options.clearance).write(out)) return;
+    out.close();
+    take(written);
+  };
+  PathAnswer answer = path::find_path(problem, options, on_none);
+  if (answer.outcome != PathOutcome::none) return answer;
+  if (text.empty()) {
     answer.outcome = PathOutcome::undecided;
     answer.reason = "cells show that there is no way, but no proof was found that the verifier accepts";
     return answer;
   }
-  log << text.str();
+  log << text;
   return answer;
 }
 

@@ -184,8 +184,12 @@ export type Verified = ValidProof | InvalidProof;
 export interface ValidPathProof {
   valid: true;
   outcome: "none";
+  /** "open": no way without overlap. "closed": none without touching. */
+  touch: Touch;
   /** Ways that keep this distance are meant. */
   clearance?: number;
+  /** Of translations: the number of edges of a closed polygon that no way crosses. There is no partition then. */
+  barrier?: number;
   /** Of the partition of all joint values: all, those shown to collide, and those that the start reaches. */
   cells: number;
   colliding: number;
