@@ -99,7 +99,7 @@ bool has_joints(const SceneSource& source) {
   try {
     const internal::io::JsonDocument document =
         internal::io::parse_json(internal::io::read_text_file(source.path, ReadLimits{}.max_bytes), source.path, "");
-    return document.at(0).kind() == internal::io::JsonKind::object && internal::io::has_member(document, 0, "joints");
+    return internal::io::has_ranges(document);
   } catch (const InputError&) {
     return false;
   }

@@ -47,6 +47,12 @@ struct LinkMotion {
   Point pivot;            ///< if it turns
 };
 
+/// The loops of a mechanism that one driven joint moves.
+struct DrivenLoops {
+  int joint = 0;  ///< its position in Linkage::joints
+  std::shared_ptr<const internal::AssembledMechanism> assembly;
+};
+
 /// How a body follows a joint: by times * value + plus, in degrees or lengths. A gear's wheel, a rack, and both jaws of
 /// a gripper follow one joint.
 struct JointMotion {
@@ -67,6 +73,9 @@ struct Linkage {
   Scene scene;
   /// For each body, in order, the joint that it follows; without one it rests in its frame. May be shorter.
   std::vector<std::optional<JointMotion>> motions;
+  /// Of a mechanism, made by assembled(), not by users: how each driven joint moves its loops, with its value as the
+  /// time.
+  std::vector<DrivenLoops> loops = {};
 };
 
 /// The linkage with the motions of its mechanism's links: each is seen from the one that carries it. A linkage without

@@ -84,5 +84,8 @@ def test_drives_with_ranges():
     found = taut2d.path(problem)
     assert found.outcome == "path" and set(found.waypoints[0]) == {"lift", "elbow", "curl"}
     assert taut2d.check(problem.scene(found.waypoints)).outcome == "free"
-    with pytest.raises(taut2d.InputError, match="logs about paths of mechanisms"):
-        taut2d.prove_path(problem)
+    # From before the pose in which links collide to behind it.
+    linkage = taut2d.Linkage(turning.bodies, mechanism={**turning.mechanism, "drive": {"A": (0, 300)}})
+    blocked = taut2d.PathProblem(linkage, start={"A": 0}, goal={"A": 300})
+    proof = taut2d.prove_path(blocked)
+    assert proof.outcome == "none" and taut2d.verify_path(blocked, proof).valid

@@ -100,6 +100,12 @@ bool has_member(const JsonDocument& document, std::size_t token, const std::stri
   return false;
 }
 
+bool has_ranges(const JsonDocument& document) {
+  if (document.at(0).kind() != JsonKind::object) return false;
+  const auto has = [&](const char* name) { return has_member(document, 0, name); };
+  return has("joints") || (has("mechanism") && !has("time"));
+}
+
 std::optional<std::size_t> JsonObject::find(const std::string& key) const {
   for (const auto& member : members_) {
     if (member.first == key) return member.second;

@@ -32,6 +32,8 @@ class JsonObject {
 
 /// Does the object at a token have such a member? It may have others.
 bool has_member(const JsonDocument& document, std::size_t token, const std::string& key);
+/// Has a scene joints, or drives with ranges, instead of a time?
+bool has_ranges(const JsonDocument& document);
 
 /// The index after the path: "bodies" and 1 make "bodies[1]".
 std::string element_path(const std::string& path, std::size_t index);

@@ -48,25 +48,20 @@ class SceneReader {
         "`taut import` makes scenes of drawings and maps; a body's polygon may be {\"geojson\": file}");
   }
 
-  /// Joints or drives with ranges instead of a time: then what belongs to these is not what is wrong.
-  bool has_ranges() const {
-    if (document_.at(0).kind() != JsonKind::object) return false;
-    const auto has = [this](const char* name) { return io::has_member(document_, 0, name); };
-    return has("joints") || (has("mechanism") && !has("time"));
-  }
   std::vector<std::string> known_keys() const {
     // "$schema" is for editors.
     std::vector<std::string> keys{"format", "time",   "bodies",    "ignore", "at_rest",
                                   "id",     "joints", "mechanism", "$schema"};
-    if (has_ranges()) keys.insert(keys.end(), {"periodic", "start", "goal"});
-    if (!has_ranges()) keys.push_back("clearances");
+    // With ranges instead of a time, what belongs to these is not what is wrong.
+    if (io::has_ranges(document_)) keys.insert(keys.end(), {"periodic", "start", "goal"});
+    if (!io::has_ranges(document_)) keys.push_back("clearances");
     return keys;
   }
 
   Scene read() const {
     refuse_geojson();
     const JsonObject root(document_, 0, "", known_keys(), scene_shape);
-    if (has_ranges()) {
+    if (io::has_ranges(document_)) {
       const auto joints = root.find("joints");
       throw document_.error(joints ? *joints : root.get("mechanism"), joints ? "joints" : "mechanism",
                             joints ? "the scene has joints instead of a time" : "the scene has no time",

@@ -77,6 +77,7 @@ class CellTree {
   /// Halves a leaf across the joint that moves most, and evaluates both halves. False if it is as small as the
   /// tolerance, or nothing moves across it: it is_least then.
   bool divide(CellId id);
+  void set_tolerance(double tolerance) { tolerance_ = tolerance; }
 
   /// All faces that two cells have in common, those without a shift first. A cell that is a period wide has one in
   /// common with itself.

@@ -184,6 +184,8 @@ void add_mechanism(Hasher& hash, const Scene& scene) {
 /// What a body follows, and how.
 void add_joint_motion(Hasher& hash, const JointMotion& motion) {
   hash.byte(motion.kind.index());
+  // The mechanism says the rest.
+  if (std::holds_alternative<LinkMotion>(motion.kind)) return hash.byte(static_cast<std::size_t>(motion.joint));
   if (const auto* free = std::get_if<FreeMotion>(&motion.kind)) {
     for (const std::optional<int>& joint : {free->x, free->y, free->deg})
       hash.byte(joint ? static_cast<std::size_t>(*joint) : 255);
@@ -194,6 +196,16 @@ void add_joint_motion(Hasher& hash, const JointMotion& motion) {
   hash.byte(static_cast<std::size_t>(motion.joint));
   hash.number(motion.times);
   hash.number(motion.plus);
+}
+
+/// Of each joint of a linkage its number among those of the mechanism.
+void add_driven_joints(Hasher& hash, const Mechanism& mechanism, const std::vector<Joint>& joints) {
+  for (const Joint& joint : joints) {
+    const auto found = std::find_if(mechanism.joints.begin(), mechanism.joints.end(),
+                                    [&](const MechanismJoint& m) { return m.name == joint.name && !m.shared; });
+    hash.count(found == mechanism.joints.end() ? no_parent
+                                               : static_cast<std::size_t>(found - mechanism.joints.begin()));
+  }
 }
 
 /// All bodies with their parts and parents, then which pairs are not tested.
@@ -244,9 +256,6 @@ Fingerprint path_fingerprint(const PathProblem& problem) {
   if (proof::any_curves(scene))
     throw InputError("bodies", "logs about paths of bodies with curves cannot be written",
                      "`taut flatten` makes polygons of the curves");
-  if (scene.mechanism)
-    throw InputError("mechanism", "logs about paths of mechanisms cannot be written yet",
-                     "`taut prove` proves a way that `taut path -o` wrote as a scene");
   Hasher hash("taut path 1");
   hash.count(joints.size());
   for (std::size_t k = 0; k < joints.size(); ++k) {
@@ -270,6 +279,7 @@ Fingerprint path_fingerprint(const PathProblem& problem) {
     hash.byte(follows ? 1 : 0);
     if (follows) add_joint_motion(hash, *problem.linkage.motions[i]);
   }
+  if (scene.mechanism) add_driven_joints(hash, *scene.mechanism, joints);
   return hash.finish();
 }
 

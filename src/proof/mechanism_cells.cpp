@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "numeric/budget.hpp"
-#include "scene/mechanism.hpp"
 
 namespace taut::internal::proof {
 namespace {
@@ -28,7 +27,7 @@ void write_cell(ByteWriter& out, const LoopCell& cell) {
 
 class CellReader {
  public:
-  CellReader(const Scene& scene, ByteReader& in) : in_(in), mechanism_(*scene.assembly) {}
+  CellReader(const AssembledMechanism& mechanism, ByteReader& in) : in_(in), mechanism_(mechanism) {}
 
   std::shared_ptr<const JointFunctions> read() {
     const LoopEquations& equations = mechanism_.functions->equations();
@@ -104,12 +103,13 @@ class CellReader {
   Balls<double> values_;  ///< of the unknowns, where the last cell ends
 };
 
+bool has_loops(const AssembledMechanism& mechanism) { return mechanism.functions->equations().unknowns > 0; }
+
 }  // namespace
 
-bool has_loops(const Scene& scene) { return scene.assembly && scene.assembly->functions->equations().unknowns > 0; }
+bool has_loops(const Scene& scene) { return scene.assembly && has_loops(*scene.assembly); }
 
-void write_cells(ByteWriter& out, const Scene& scene) {
-  const AssembledMechanism& mechanism = *scene.assembly;
+void write_cells(ByteWriter& out, const AssembledMechanism& mechanism) {
   const auto write_path = [&](const std::vector<LoopCell>& cells) {
     out.u32(static_cast<std::uint32_t>(cells.size()));
     for (const LoopCell& cell : cells) write_cell(out, cell);
@@ -119,8 +119,12 @@ void write_cells(ByteWriter& out, const Scene& scene) {
     write_path(mechanism.functions->cells(piece));
 }
 
+std::shared_ptr<const JointFunctions> read_stated_functions(const AssembledMechanism& mechanism, ByteReader& in) {
+  return CellReader(mechanism, in).read();
+}
+
 Scene with_stated_cells(const Scene& scene, ByteReader& in) {
-  const auto functions = CellReader(scene, in).read();
+  const auto functions = read_stated_functions(*scene.assembly, in);
   Scene out = scene;
   auto assembly = std::make_shared<AssembledMechanism>(*scene.assembly);
   assembly->functions = functions;
@@ -131,6 +135,25 @@ Scene with_stated_cells(const Scene& scene, ByteReader& in) {
     }
   }
   return out;
+}
+
+PathProblem with_stated_cells(const PathProblem& problem, ByteReader& in) {
+  PathProblem out = problem;
+  for (const DrivenLoops& driven : problem.linkage.loops) {
+    if (!has_loops(*driven.assembly)) continue;
+    const auto functions = read_stated_functions(*driven.assembly, in);
+    for (std::optional<JointMotion>& motion : out.linkage.motions) {
+      if (!motion || motion->joint != driven.joint) continue;
+      if (auto* link = std::get_if<LinkMotion>(&motion->kind)) link->follows.functions = functions;
+    }
+  }
+  return out;
+}
+
+void write_cells(ByteWriter& out, const PathProblem& problem) {
+  for (const DrivenLoops& driven : problem.linkage.loops) {
+    if (has_loops(*driven.assembly)) write_cells(out, *driven.assembly);
+  }
 }
 
 }  // namespace taut::internal::proof

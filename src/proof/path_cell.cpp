@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "motion/joint_functions.hpp"
+#include "motion/joint_value.hpp"
 #include "numeric/trig.hpp"
 
 namespace taut::internal::proof {
@@ -13,6 +15,12 @@ namespace {
 constexpr double up = 1 + 0x1p-45;
 
 double farthest(const Enclosure& e) { return (std::fabs(e.mid) + e.rad) * up; }
+
+CellFunction times(const CellFunction& a, const Enclosure& factor) {
+  CellFunction product{a.middle * factor, a.range * factor, {}};
+  for (std::size_t k = 0; k < product.slope.size(); ++k) product.slope[k] = a.slope[k] * factor;
+  return product;
+}
 
 CellFunction negative(const CellFunction& a) { return CellFunction::constant(0) - a; }
 
@@ -88,6 +96,22 @@ CellFunction CellValues::value(int joint, double times, double plus) const {
   return f;
 }
 
+/// Of a link's joint, in degrees or lengths: its value at the middle, and all values and derivatives.
+CellFunction CellValues::value(const LinkMotion& link, int joint) const {
+  const auto k = static_cast<std::size_t>(joint);
+  const auto series = [&](const Enclosure& at) {
+    return joint_value<Series<double, 1>>(*link.follows.functions, static_cast<std::size_t>(link.follows.joint),
+                                          static_cast<std::size_t>(link.follows.piece), at);
+  };
+  const auto coefficient = [&](const Series<double, 1>& s, int i) {
+    return i < s.terms ? s.c[static_cast<std::size_t>(i)] * link.follows.sign : Enclosure::exact(0);
+  };
+  const auto over = series(Enclosure(middle_[k], half_[k]));
+  CellFunction f{coefficient(series(Enclosure::exact(middle_[k])), 0), coefficient(over, 0), {}};
+  f.slope[k] = coefficient(over, 1);
+  return f;
+}
+
 namespace {
 
 /// Of a sine or a cosine, which is never beyond 1.
@@ -133,6 +157,13 @@ CellPose CellValues::pose(const JointMotion& motion) const {
   if (const auto* slide = std::get_if<Slide>(&motion.kind)) {
     const CellFunction way = value(motion.joint, motion.times, motion.plus);
     return moved(way * CellFunction::constant(slide->direction.x), way * CellFunction::constant(slide->direction.y));
+  }
+  if (const auto* link = std::get_if<LinkMotion>(&motion.kind)) {
+    const CellFunction at = value(*link, motion.joint);
+    if (!link->follows.slides) return about(link->pivot, turn(at));
+    const Enclosure x = Enclosure::exact(link->follows.direction.x), y = Enclosure::exact(link->follows.direction.y);
+    const Enclosure length = sqrt(x * x + y * y);
+    return moved(times(at, x / length), times(at, y / length));
   }
   // A point p is at R (p - pivot) + pivot + (x, y).
   const auto& free = std::get<FreeMotion>(motion.kind);

@@ -7,6 +7,7 @@
 #include "numeric/progress.hpp"
 #include "proof/barrier_checker.hpp"
 #include "proof/format.hpp"
+#include "proof/mechanism_cells.hpp"
 #include "proof/path_checker.hpp"
 #include "taut/path_proof.hpp"
 
@@ -180,8 +181,9 @@ VerifiedPath verify_path(const PathProblem& problem, std::istream& log) {
   }
   verified.clearance = in.f64();
   if (!(verified.clearance >= 0 && verified.clearance < INFINITY)) throw ProofError("the log's header makes no sense");
-  const proof::PathChecker checker(problem, verified.clearance);
-  const proof::Partition partition(problem, checker, in);
+  const PathProblem stated = proof::with_stated_cells(problem, in);
+  const proof::PathChecker checker(stated, verified.clearance);
+  const proof::Partition partition(stated, checker, in);
   in.close();
   verified.cells = partition.leaves();
   verified.colliding = partition.colliding();

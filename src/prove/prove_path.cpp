@@ -12,6 +12,7 @@
 #include "path/slides.hpp"
 #include "proof/barrier.hpp"
 #include "proof/format.hpp"
+#include "proof/mechanism_cells.hpp"
 #include "proof/path_checker.hpp"
 #include "scene/ring_set.hpp"
 #include "taut/path_proof.hpp"
@@ -26,7 +27,10 @@ constexpr std::uint32_t most_halvings = 24;
 class PathLogWriter {
  public:
   PathLogWriter(const PathProblem& problem, const path::JointSpace& space, path::CellTree& tree, double clearance)
-      : problem_(problem), space_(space), tree_(tree), goal_(problem, space), checker_(problem, clearance) {}
+      : problem_(problem), space_(space), tree_(tree), goal_(problem, space), checker_(problem, clearance) {
+    // Bounds of the verifier may want cells that are smaller than those of the search.
+    tree_.set_tolerance(0);
+  }
 
   /// False if some cell was not shown to collide, or to be without a goal, by bounds as the verifier has them.
   bool write(proof::ByteWriter& out) {
@@ -231,6 +235,7 @@ PathAnswer prove_path(const PathProblem& problem, std::ostream& log, const PathO
     proof::ByteWriter out(written);
     write_path_header(out, problem, proof::of_paths);
     out.f64(options.clearance);
+    write_cells(out, problem);
     if (!PathLogWriter(problem, space, tree, options.clearance).write(out)) return;
     out.close();
     take(written);

@@ -28,7 +28,7 @@ std::optional<SeparationsBody> write_log(std::ostream& log, const Scene& scene, 
   const std::uint8_t kind = static_cast<std::uint8_t>(body->claim) | (clearance > 0 ? proof::with_clearance : 0);
   proof::ByteWriter out(log);
   proof::write_header(out, {proof::of_separations, scene_fingerprint(scene, touch), touch, kind});
-  if (proof::has_loops(scene)) proof::write_cells(out, scene);
+  if (proof::has_loops(scene)) proof::write_cells(out, *scene.assembly);
   if (clearance > 0) out.f64(clearance);
   for (const char c : body->bytes) out.u8(static_cast<std::uint8_t>(c));
   out.close();

@@ -90,7 +90,10 @@ class DrivenLinkage {
     const Scene drawn = assembled(held_scene());
     const AssembledMechanism& mechanism = *drawn.assembly;
     std::vector<Scene> alone;
-    for (std::size_t drive = 0; drive < driven_.size(); ++drive) alone.push_back(moved_alone(drive));
+    for (std::size_t drive = 0; drive < driven_.size(); ++drive) {
+      alone.push_back(moved_alone(drive));
+      linkage_.loops.push_back({static_cast<int>(driven_[drive]), alone.back().assembly});
+    }
     const DrivesOfJoints drives(mechanism.functions->equations());
     for (std::size_t k = 0; k < mechanism.tree.links.size(); ++k) {
       const auto body = static_cast<std::size_t>(mechanism.tree.links[k].body);

@@ -76,7 +76,7 @@ TEST(MechanismLogs, BelongToOneMechanism) {
 std::string cells_of(const Scene& scene) {
   std::ostringstream out;
   proof::ByteWriter bytes(out);
-  proof::write_cells(bytes, scene);
+  proof::write_cells(bytes, *scene.assembly);
   bytes.close();
   return out.str();
 }

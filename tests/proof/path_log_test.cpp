@@ -131,6 +131,31 @@ PathProblem stopped(double width) {
   return problem;
 }
 
+/// A crank that turns on past a post, or not; and a rocker that follows it.
+PathProblem four_bar(double post) {
+  PathProblem problem;
+  Scene& scene = problem.linkage.scene;
+  scene.bodies = {{"ground", box(-1, -5, 5, -4), {}},
+                  {"crank", box(-0.125, -0.125, 0.125, 1.125), {}},
+                  {"coupler", {{0, 0.875}, {4, 1.875}, {4, 2.125}, {0, 1.125}}, {}},
+                  {"rocker", box(3.875, -0.125, 4.125, 2.125), {}},
+                  {"post", box(-0.125, post, 0.125, post + 0.25), {}}};
+  const std::vector<Layers> layers = {{0, 1}, {1, 2}, {2, 3}, {1, 2}, {1, 2}};
+  for (std::size_t i = 0; i < layers.size(); ++i) scene.bodies[i].z = layers[i];
+  const auto pin = [](const char* name, const char* first, const char* second, Point at) {
+    return MechanismJoint{name, MechanismJoint::Kind::revolute, first, second, at};
+  };
+  scene.mechanism = Mechanism{"ground",
+                              {pin("A", "ground", "crank", {0, 0}), pin("B", "crank", "coupler", {0, 1}),
+                               pin("C", "coupler", "rocker", {4, 2}), pin("D", "ground", "rocker", {4, 0})},
+                              {},
+                              {}};
+  problem.linkage.joints = {{"A", -170, 200}};
+  problem.linkage = assembled(std::move(problem.linkage));
+  problem.goal[0] = {200, 200};
+  return problem;
+}
+
 struct Case {
   const char* name;
   PathProblem none, way;  ///< alike, but for a number
@@ -146,6 +171,7 @@ std::vector<Case> cases() {
           {"layers", layered(false), layered(true), 0},
           {"layers with a clearance", layered(false), layered(true), 0.1},
           {"arm", arm(0.5), arm(1.6), 0},
+          {"four-bar", four_bar(-1.25), four_bar(-2), 0},
           {"slot", slot(0.95), slot(1), 0, Touch::open, true},
           {"slot that fits exactly", slot(1), slot(1.0625), 0, Touch::closed, true},
           {"slid out", slid_out(0.95), slid_out(1), 0, Touch::open, true},
