@@ -3,12 +3,15 @@
 
 #include <cmath>
 #include <deque>
+#include <sstream>
 
 #include "path/convex_pieces.hpp"
 #include "support/effort.hpp"
 #include "support/made_path.hpp"
 #include "support/made_world.hpp"
 #include "taut/check.hpp"
+#include "taut/error.hpp"
+#include "taut/path_proof.hpp"
 
 namespace taut {
 using namespace internal;
@@ -96,6 +99,41 @@ bool collides_at(const PathProblem& problem, const JointValues& values) {
   return check(posed(problem.linkage, values)).outcome != Outcome::free;
 }
 
+/// Where there is no way, there is a log that shows it.
+void expect_log(const PathProblem& problem, const PathOptions& options) {
+  std::ostringstream log;
+  const PathAnswer answer = prove_path(problem, log, options);
+  ASSERT_EQ(answer.outcome, PathOutcome::none) << answer.reason;
+  std::istringstream in(log.str());
+  EXPECT_NO_THROW(verify_path(problem, in));
+}
+
+TEST(PathLaws, NoWayHasALog) {
+  int none = 0;
+  for (std::uint64_t seed = 0; seed < effort(1000); ++seed) {
+    SCOPED_TRACE(seed);
+    PathProblem problem = testing::random_linkage(seed);
+    Rng rng(seed + 77);
+    for (std::size_t k = 0; k < problem.linkage.joints.size(); ++k) {
+      const Joint& joint = problem.linkage.joints[k];
+      problem.start[k] = rng.real(joint.lo, joint.hi);
+      const double goal = rng.real(joint.lo, joint.hi);
+      if (k == 0 || rng.chance(0.6)) problem.goal[k] = {goal, goal};
+    }
+    PathOptions options;
+    options.tolerance = 0.01;
+    options.max_cells = 3000;
+    try {
+      if (find_path(problem, options).outcome != PathOutcome::none) continue;
+    } catch (const InputError&) {
+      continue;  // it collides at the start, or is not valid
+    }
+    ++none;
+    expect_log(problem, options);
+  }
+  EXPECT_GE(none, static_cast<int>(testing::enough(10)));
+}
+
 TEST(PathLaws, DoesNotMissWhatAFloodReaches) {
   Rng rng(21);
   std::array<int, 3> seen{};
@@ -114,6 +152,7 @@ TEST(PathLaws, DoesNotMissWhatAFloodReaches) {
     if (answer.outcome == PathOutcome::path) expect_proved(problem, answer, options);
     if (answer.outcome == PathOutcome::none) {
       EXPECT_FALSE(Flood(problem, problem.linkage.joints.size() == 3 ? 24 : 60).reaches());
+      expect_log(problem, options);
     }
   }
   EXPECT_GE(seen[static_cast<std::size_t>(PathOutcome::path)], static_cast<int>(testing::enough(80)));
