@@ -3,9 +3,11 @@
 
 #include <array>
 #include <deque>
+#include <functional>
 #include <set>
 #include <sstream>
 
+#include "proof/bytes.hpp"
 #include "support/effort.hpp"
 #include "support/made_path.hpp"
 #include "taut/path_proof.hpp"
@@ -246,21 +248,53 @@ bool find_start(LatticeProblem& grid, Rng& rng, Touch touch) {
 
 struct Seen {
   int ways = 0, none = 0, logs = 0;
+  int refused = 0;  ///< logs of no way that were given to problems that have one
   int inexact = 0;  ///< ways that fit exactly, along no doubles
 };
 
-/// A log of no way is found, by a polygon that no way crosses. False if there is none.
-bool has_log(const PathProblem& problem, const PathOptions& options) {
+/// A log of no way, by a polygon that no way crosses. Empty if there is none.
+std::string log_of(const PathProblem& problem, const PathOptions& options) {
   std::ostringstream log;
-  if (prove_path(problem, log, options).outcome != PathOutcome::none) return false;
+  if (prove_path(problem, log, options).outcome != PathOutcome::none) return "";
   std::istringstream in(log.str());
   const VerifiedPath verified = verify_path(problem, in);
   EXPECT_GT(verified.barrier, 0U);
   EXPECT_EQ(verified.touch, options.touch);
-  return true;
+  return log.str();
 }
 
-void expect_decided(const LatticeProblem& grid, const PathProblem& problem, Touch touch, Seen& seen) {
+/// A log that says that it is about another problem.
+std::string given_to(const PathProblem& problem, std::string log) {
+  constexpr std::size_t fingerprint_at = 8, checksum_size = 8;
+  const Fingerprint fingerprint = path_fingerprint(problem);
+  std::copy(fingerprint.begin(), fingerprint.end(), log.begin() + fingerprint_at);
+  log.resize(log.size() - checksum_size);
+  internal::proof::Checksum checksum;
+  for (const char c : log) checksum.add(static_cast<std::uint8_t>(c));
+  for (std::size_t i = 0; i < checksum_size; ++i) log.push_back(static_cast<char>(checksum.value() >> (8 * i)));
+  return log;
+}
+
+using MakeProblem = std::function<PathProblem(const LatticeProblem& grid)>;
+
+/// Without one of its squares, a problem may have a way. The log must be refused then.
+void expect_refused_with_a_way(const LatticeProblem& grid, const MakeProblem& make, Touch touch, const std::string& log,
+                               Seen& seen) {
+  for (std::size_t rest = 0; rest < grid.rests.size(); ++rest) {
+    for (std::size_t i = 0; i < grid.rests[rest].size() && grid.rests[rest].size() > 1; ++i) {
+      LatticeProblem open = grid;
+      open.rests[rest].erase(open.rests[rest].begin() + static_cast<std::ptrdiff_t>(i));
+      if (!LatticeSearch(open, touch).reaches()) continue;
+      const PathProblem problem = make(open);
+      std::istringstream in(given_to(problem, log));
+      EXPECT_THROW(verify_path(problem, in), ProofError);
+      ++seen.refused;
+    }
+  }
+}
+
+void expect_decided(const LatticeProblem& grid, const MakeProblem& make, Touch touch, Seen& seen) {
+  const PathProblem problem = make(grid);
   PathOptions options;
   options.touch = touch;
   options.tolerance = 1;  // means nothing here
@@ -275,9 +309,11 @@ void expect_decided(const LatticeProblem& grid, const PathProblem& problem, Touc
   EXPECT_EQ(answer.outcome, reaches ? PathOutcome::path : PathOutcome::none) << answer.reason;
   if (answer.outcome == PathOutcome::path) return expect_proved(problem, answer, options);
   // With closed touching, what keeps the start from the goal may be at the goal only: then there is none.
-  const bool found = has_log(problem, options);
-  EXPECT_TRUE(found || touch == Touch::closed);
-  if (found) ++seen.logs;
+  const std::string log = log_of(problem, options);
+  EXPECT_TRUE(!log.empty() || touch == Touch::closed);
+  if (log.empty()) return;
+  ++seen.logs;
+  expect_refused_with_a_way(grid, make, touch, log, seen);
 }
 
 /// Two slides in any directions: shapes and slides go through the same map, so the answer is that of the grid.
@@ -291,12 +327,14 @@ TEST(TranslationLaws, TwoSlidesInAnyDirections) {
     LatticeProblem grid = random_grid(rng, false);
     const WholeMap map = maps[n % maps.size()];
     const Touch touch = rng.chance(0.5) ? Touch::open : Touch::closed;
-    if (find_start(grid, rng, touch)) expect_decided(grid, problem_of(grid, map, map, false), touch, seen);
+    const auto make = [&](const LatticeProblem& of) { return problem_of(of, map, map, false); };
+    if (find_start(grid, rng, touch)) expect_decided(grid, make, touch, seen);
   }
   EXPECT_GE(seen.ways, static_cast<int>(testing::enough(60)));
   EXPECT_GE(seen.none, static_cast<int>(testing::enough(60)));
   EXPECT_LE(50 * seen.inexact, seen.ways);
   EXPECT_GE(5 * seen.logs, 4 * seen.none);
+  EXPECT_GE(seen.refused, seen.logs / 4);
 }
 
 TEST(TranslationLaws, OneSlideAlone) {
@@ -313,12 +351,14 @@ TEST(TranslationLaws, OneSlideAlone) {
     if (touch == Touch::closed) grid.framed = false;
     grid.goal[1] = {0, 0};
     const WholeMap map = maps[n % maps.size()];
-    if (find_start(grid, rng, touch)) expect_decided(grid, problem_of(grid, map, map, true), touch, seen);
+    const auto make = [&](const LatticeProblem& of) { return problem_of(of, map, map, true); };
+    if (find_start(grid, rng, touch)) expect_decided(grid, make, touch, seen);
   }
   EXPECT_GE(seen.ways, static_cast<int>(testing::enough(40)));
   EXPECT_GE(seen.none, static_cast<int>(testing::enough(40)));
   EXPECT_LE(50 * seen.inexact, seen.ways);
   EXPECT_GE(5 * seen.logs, 4 * seen.none);
+  EXPECT_GE(seen.refused, seen.logs / 4);
 }
 
 /// Out of everything. Boxes are along the axes, so the shapes stay as they are; the slides go along the columns of a
@@ -334,16 +374,20 @@ TEST(TranslationLaws, Outside) {
     // p = a (2, 1) + b (1, 1): a = x - y, b = 2 y - x.
     const bool slanted = n % 2 == 0;
     const WholeMap joints = slanted ? WholeMap{{2, 1}, {1, 1}} : WholeMap{};
-    PathProblem problem = problem_of(grid, {}, joints, false);
-    const double x = grid.start[0], y = grid.start[1];
-    problem.linkage.joints = {{"a", -99, 99}, {"b", -99, 99}};
-    problem.start = slanted ? JointValues{x - y, 2 * y - x} : JointValues{x, y};
-    expect_decided(grid, problem, touch, seen);
+    const auto make = [&](const LatticeProblem& of) {
+      PathProblem problem = problem_of(of, {}, joints, false);
+      const double x = of.start[0], y = of.start[1];
+      problem.linkage.joints = {{"a", -99, 99}, {"b", -99, 99}};
+      problem.start = slanted ? JointValues{x - y, 2 * y - x} : JointValues{x, y};
+      return problem;
+    };
+    expect_decided(grid, make, touch, seen);
   }
   EXPECT_GE(seen.ways, static_cast<int>(testing::enough(40)));
   EXPECT_GE(seen.none, static_cast<int>(testing::enough(10)));
   EXPECT_LE(50 * seen.inexact, seen.ways);
   EXPECT_GE(5 * seen.logs, 4 * seen.none);
+  EXPECT_GE(seen.refused, seen.logs / 4);
 }
 
 }  // namespace
