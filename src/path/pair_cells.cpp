@@ -108,7 +108,7 @@ bool PairCells::runs_collide(const Seen& seen, Runs& runs, Collision& why, std::
     const double swing = seen.of_q.swing(seen.of_q.place(q.box.centre));
     if (swing > subdivision_threshold * (p.box.radius + q.box.radius)) {
       left.emplace_back(i, k);
-    } else if (q.count == 1 || (p.count > 1 && p.box.radius >= q.box.radius)) {
+    } else if (divides_first(p, q)) {
       todo.emplace_back(p.right, k);
       todo.emplace_back(p.left, k);
     } else {

@@ -42,7 +42,7 @@ class PairAtPlace {
         for (const NearFeatures& f : compared(p.first, q.first)) {
           if (f.distance < nearest.distance && counts(f)) nearest = f;
         }
-      } else if (q.count == 1 || (p.count > 1 && p.box.radius >= q.box.radius)) {
+      } else if (divides_first(p, q)) {
         todo.emplace_back(p.right, k);
         todo.emplace_back(p.left, k);
       } else {

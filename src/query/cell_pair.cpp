@@ -127,7 +127,7 @@ CellPair::Ranges CellPair::look_at_ranges(const Seen& seen) const {
     }
     if (seen.of_q.place(q.box.centre).swing() > subdivision_threshold_of_cells * (p.box.radius + q.box.radius))
       return Ranges::open;
-    if (q.count == 1 || (p.count > 1 && p.box.radius >= q.box.radius)) {
+    if (divides_first(p, q)) {
       todo.emplace_back(p.right, k);
       todo.emplace_back(p.left, k);
     } else {

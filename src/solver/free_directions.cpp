@@ -289,7 +289,7 @@ void FreeDirections::descend(int other) {
     if (covered(a, other, b)) continue;
     if (a.count == 1 && b.count == 1) {
       block(a.first, other, b.first);
-    } else if (b.count == 1 || (a.count > 1 && a.box.radius >= b.box.radius)) {
+    } else if (divides_first(a, b)) {
       stack.insert(stack.end(), {{a.left, j}, {a.right, j}});
     } else {
       stack.insert(stack.end(), {{i, b.left}, {i, b.right}});

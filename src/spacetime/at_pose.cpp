@@ -69,7 +69,7 @@ EdgesCross PoseSearch::edges_cross(const QAtPose& at_pose, const PairGeometry& g
       const EdgesCross cross = spacetime::edges_cross(at_pose, g, VertexId(a.first), VertexId(g.np + b.first));
       if (cross == EdgesCross::yes) return cross;
       if (cross == EdgesCross::unknown) all = cross;
-    } else if (b.count == 1 || (a.count > 1 && a.box.radius >= b.box.radius)) {
+    } else if (divides_first(a, b)) {
       todo_.emplace_back(a.left, j);
       todo_.emplace_back(a.right, j);
     } else {

@@ -24,6 +24,11 @@ struct BoxNode {
   std::uint32_t left = 0, right = 0;   ///< children; unused where count is 1
 };
 
+/// Of two nodes that are not both single edges: is it the first one that is divided? The larger one is.
+inline bool divides_first(const BoxNode& a, const BoxNode& b) {
+  return b.count == 1 || (a.count > 1 && a.box.radius >= b.box.radius);
+}
+
 /// A balanced tree; the root is node 0.
 class Hierarchy {
  public:

@@ -105,7 +105,7 @@ std::optional<StartOverlap> overlap_in(const Placement& place, const TreePair& t
     if (a.count == 1 && b.count == 1) {
       const VertexId e(a.first), f(g.np + b.first);
       if (edges_cross(place, e, f)) return StartOverlap{true, e, f, {}};
-    } else if (b.count == 1 || (a.count > 1 && a.box.radius >= b.box.radius)) {
+    } else if (divides_first(a, b)) {
       stack.insert(stack.end(), {{a.left, j}, {a.right, j}});
     } else {
       stack.insert(stack.end(), {{i, b.left}, {i, b.right}});

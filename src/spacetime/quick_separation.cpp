@@ -57,7 +57,7 @@ class QuickSeparation {
     const bool leaf = p.count == 1 && q.count == 1;
     if (leaf || motion(s, p.box, q.box) > subdivision_threshold * (p.box.radius + q.box.radius)) {
       later.push_back(pair);
-    } else if (q.count == 1 || (p.count > 1 && p.box.radius >= q.box.radius)) {
+    } else if (divides_first(p, q)) {
       todo.insert(todo.end(), {{p.right, pair.q}, {p.left, pair.q}});
     } else {
       todo.insert(todo.end(), {{pair.p, q.right}, {pair.p, q.left}});

@@ -93,7 +93,7 @@ void UniformPairsSearch::evaluate(UniformStretch& even, const Boxes& pair, doubl
     }
     resolve(s, s.in_q, pair.other, {of_p, of_q}, start, end);
     resolve(s, s.in_p, pair.other, {of_q, of_p}, start, end);
-  } else if (q.count == 1 || (p.count > 1 && p.box.radius >= q.box.radius)) {
+  } else if (divides_first(p, q)) {
     todo_.push_back({pair.other, p.right, pair.q});
     todo_.push_back({pair.other, p.left, pair.q});
   } else {
@@ -163,7 +163,7 @@ bool apart(const Stretch& stretch, const Hierarchy& p, const Hierarchy& q) {
     const BoxNode &a = p.node(i), &b = q.node(j);
     if (apart(stretch, a.box, b.box)) continue;
     if (a.count == 1 && b.count == 1) return false;
-    if (b.count == 1 || (a.count > 1 && a.box.radius >= b.box.radius)) {
+    if (divides_first(a, b)) {
       todo.insert(todo.end(), {{a.left, j}, {a.right, j}});
     } else {
       todo.insert(todo.end(), {{i, b.left}, {i, b.right}});

@@ -271,7 +271,7 @@ class Walk {
   }
   /// Of the larger box.
   static std::array<BoxPair, 2> halves_of(const BoxPair& pair, const BoxNode& p, const BoxNode& q) {
-    const bool of_p = q.count == 1 || (p.count > 1 && p.box.radius >= q.box.radius);
+    const bool of_p = divides_first(p, q);
     return {BoxPair{of_p ? p.left : pair.p, of_p ? pair.q : q.left},
             BoxPair{of_p ? p.right : pair.p, of_p ? pair.q : q.right}};
   }
