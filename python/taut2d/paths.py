@@ -254,9 +254,8 @@ def _problem_text(problem: PathProblem) -> _taut2d.SceneText:
 
 def prove_path(problem: PathProblem, *, touch: Touch = "open", clearance: float = 0.0, tolerance: float = 1e-4,
                max_cells: int = 4_000_000, max_seconds: Optional[float] = None) -> PathProof:
-    """As path(), with a log that proves it where there is no way, in memory. Where only translations are left, cells decide
-    here too, and what they leave open is "undecided". Options and errors are those of
-    path()."""
+    """As path(), with a log that proves it where there is no way, in memory. Where no log is found that verify_path() accepts,
+    the answer is "undecided". Options and errors are those of path()."""
     with _plain_places():
         answer, log, name = ask("prove_path", _problem_text(problem), touch=touch, clearance=clearance, tolerance=tolerance,
                                 max_cells=max_cells, max_seconds=max_seconds)

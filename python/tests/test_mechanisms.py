@@ -88,4 +88,4 @@ def test_drives_with_ranges():
     linkage = taut2d.Linkage(turning.bodies, mechanism={**turning.mechanism, "drive": {"A": (0, 300)}})
     blocked = taut2d.PathProblem(linkage, start={"A": 0}, goal={"A": 300})
     proof = taut2d.prove_path(blocked)
-    assert proof.outcome == "none" and taut2d.verify_path(blocked, proof).valid
+    assert proof.answer.outcome == "none" and taut2d.verify_path(blocked, proof).valid
