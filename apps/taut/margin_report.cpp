@@ -23,18 +23,24 @@ std::string close_feature_text(const Scene& scene, const PairMargin& pair, const
   return edge_text(scene, edge);
 }
 
-std::string proved_margin_in_words(const Scene& scene, const PairMargin& pair) {
+/// Of curves, the distance is that of polygons within them, which is no less.
+std::string distance_text(const PairMargin& pair, bool curved) {
+  return fmt::format("{}{:.9g} apart", curved ? "at most " : "", pair.nearest->hi);
+}
+
+std::string proved_margin_in_words(const Scene& scene, const PairMargin& pair, bool curved) {
   const NearestPoints& n = *pair.nearest;
-  return fmt::format("  {} at ({:.9g}, {:.9g}), {} at ({:.9g}, {:.9g}): {:.9g} apart\n",
+  return fmt::format("  {} at ({:.9g}, {:.9g}), {} at ({:.9g}, {:.9g}): {}\n",
                      close_feature_text(scene, pair, n.edges[0]), n.points[0].x, n.points[0].y,
-                     close_feature_text(scene, pair, n.edges[1]), n.points[1].x, n.points[1].y, n.hi);
+                     close_feature_text(scene, pair, n.edges[1]), n.points[1].x, n.points[1].y,
+                     distance_text(pair, curved));
 }
 
 /// One pair of all.
-std::string pair_line(const Scene& scene, const PairMargin& pair) {
+std::string pair_line(const Scene& scene, const PairMargin& pair, bool curved) {
   std::string at;
   if (pair.outcome == Outcome::contact) at = "   t = " + time_text(pair.time);
-  if (pair.outcome == Outcome::closer_at_start) at = fmt::format("   {:.9g} apart", pair.nearest->hi);
+  if (pair.outcome == Outcome::closer_at_start) at = "   " + distance_text(pair, curved);
   return fmt::format("    {:<16}  {}{}\n", to_string(pair.outcome), margin_subject(scene, pair), at);
 }
 
@@ -70,12 +76,12 @@ std::string margin_in_words(const Scene& scene, double clearance, const MarginAn
   if (first.outcome == Outcome::undecided) text = fmt::format("UNDECIDED  {}\n", pair);
   text += coverage;
   if (first.outcome == Outcome::undecided) text += fmt::format("  at t = {} {}\n", first.free_until, first.reason);
-  if (first.nearest) text += proved_margin_in_words(scene, first);
+  if (first.nearest) text += proved_margin_in_words(scene, first, answer.geometry.has_value());
   constexpr std::size_t most = 10;
   const std::size_t n = answer.also.size(), shown = n > most ? most : n;
   for (std::size_t i = 0; i < shown; ++i) text += "  also " + margin_subject(scene, answer.also[i]) + "\n";
   if (n > shown) text += fmt::format("  and {} more pairs (--pairs all)\n", n - shown);
-  for (const PairMargin& other : answer.pairs) text += pair_line(scene, other);
+  for (const PairMargin& other : answer.pairs) text += pair_line(scene, other, answer.geometry.has_value());
   return text;
 }
 

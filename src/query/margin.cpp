@@ -292,7 +292,8 @@ MarginAnswer internal::check_margins(const Scene& scene, const PairMargins& marg
 
 MarginAnswer check_clearance(const Scene& scene, double clearance, const CheckOptions& options) {
   if (!(clearance > 0 && std::isfinite(clearance)))
-    throw InputError("clearance", "it is not a positive number", "check() asks whether bodies touch");
+    throw InputError("clearance", "it is not a positive number",
+                     "without a clearance, `check` asks whether bodies touch");
   return check_margins(scene, PairMargins(scene, clearance), options);
 }
 

@@ -30,7 +30,7 @@ void validate_margin(const Margin& margin, const std::string& place, double star
   const bool zero = std::all_of(c.begin(), c.end(), [](double x) { return x == 0; });
   if (zero || (is_constant(margin) && c[0] < 0))
     throw InputError(place, fmt::format("the margin is {}, which is not positive", constant_term(margin)),
-                     "write how far apart the two have to be; check() asks whether bodies touch");
+                     "write how far apart the two have to be; without a clearance, `check` asks whether bodies touch");
   if (const auto t = negative_at(margin, start, end))
     throw InputError(place, fmt::format("the margin is {} at t = {}", margin_over(margin, *t, *t).mid, *t),
                      "a margin must not be negative at any time of the scene, nor reach 0 between two doubles");

@@ -34,7 +34,7 @@ void expect_rest(const Body& body) {
                                  [](const MotionPiece& piece) { return same_motion(piece, MotionPiece{}); });
   if (!rests || !body.relative_to.empty())
     throw InputError(body.name, "the body moves, or is relative to another one",
-                     "a map is of bodies at rest in the world's frame; ask check() about scenes of moving ones");
+                     "a map is of bodies at rest in the world's frame; ask `check` about scenes of moving ones");
 }
 
 /// The range of the magnitudes of all nonzero coordinates.
