@@ -259,11 +259,13 @@ EMSCRIPTEN_KEEPALIVE const char* taut_read_problem(const char* text, const char*
 }
 
 /// way_text() of such a scene.
-EMSCRIPTEN_KEEPALIVE const char* taut_find_way(const char* text, int closed, double clearance, double max_seconds) {
+EMSCRIPTEN_KEEPALIVE const char* taut_find_way(const char* text, int closed, double clearance, int shortest,
+                                               double max_seconds) {
   return answered([&](Scene&) {
     PathOptions options;
     options.touch = closed != 0 ? Touch::closed : Touch::open;
     options.clearance = clearance;
+    options.shortest = shortest != 0;
     options.limits.max_seconds = max_seconds;
     return way_text(parse_path_problem(text, "problem"), options);
   });

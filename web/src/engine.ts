@@ -254,7 +254,7 @@ interface Module {
   _taut_open(text: number, name: number, closed: number): number;
   _taut_ask(question: number, text: number, options: number): number;
   _taut_read_problem(text: number, name: number): number;
-  _taut_find_way(text: number, closed: number, clearance: number, seconds: number): number;
+  _taut_find_way(text: number, closed: number, clearance: number, shortest: number, seconds: number): number;
   _taut_go_on(text: number, closed: number, bounce: number): number;
   _taut_advance(until: number, milliseconds: number): number;
   _taut_change_plan(text: number, body: number): number;
@@ -324,8 +324,10 @@ export class Engine {
   }
 
   /** Takes as long as it takes: to be called where nobody waits. */
-  findWay(text: string, closed: boolean, clearance: number): FoundWay {
-    return this.call<FoundWay>([text], (t) => this.module._taut_find_way(t, closed ? 1 : 0, clearance, Infinity));
+  findWay(text: string, closed: boolean, clearance: number, shortest: boolean): FoundWay {
+    return this.call<FoundWay>([text], (t) =>
+      this.module._taut_find_way(t, closed ? 1 : 0, clearance, shortest ? 1 : 0, Infinity),
+    );
   }
 
   /** The scene with what comes after its contacts, where bodies bounce or stop. */

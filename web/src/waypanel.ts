@@ -8,6 +8,7 @@ export interface WayPanelHost {
   setTurns(on: boolean): void;
   setOutside(on: boolean): void;
   setClearance(distance: number): void;
+  setShortest(on: boolean): void;
   setValue(end: "start" | "goal", joint: number, value: number): void;
   stop(): void;
   again(): void;
@@ -16,6 +17,7 @@ export interface WayPanelHost {
 export class WayPanel {
   private readonly turns = this.box("way-turns", "It may turn", (on) => this.host.setTurns(on));
   private readonly outside = this.box("way-outside", "Goal: outside of all others", (on) => this.host.setOutside(on));
+  private readonly shortest = this.box("way-shortest", "Make it short", (on) => this.host.setShortest(on));
   private readonly clearance = new NumberField(
     "Distance to keep, in the scene's units",
     { id: "way-clearance", min: 0 },
@@ -37,6 +39,7 @@ export class WayPanel {
     h("summary", {}, "Way"),
     this.turns.label,
     this.outside.label,
+    this.shortest.label,
     h("div", { class: "fields" }, h("label", { for: "way-clearance" }, "Keep apart by"), this.clearance.input),
     this.clearance.fault,
     this.table,

@@ -38,6 +38,8 @@ export const isProblem = (text: string): boolean => /"joints"\s*:/.test(text) &&
 export interface WayAnswer {
   outcome: "path" | "none" | "undecided" | "untested";
   waypoints?: Record<string, number>[];
+  /** Of a way that was made short: its length, and what no way is shorter than. */
+  length?: { way: number; shortest_at_least: number };
   tight?: {
     values: Record<string, number>;
     pair: [string, string];

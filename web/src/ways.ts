@@ -30,6 +30,7 @@ export class Ways implements WayView {
   private body = -1;
   private turns = true;
   private clearance = 0;
+  private shortest = false;
   active = false;
 
   constructor(
@@ -46,6 +47,10 @@ export class Ways implements WayView {
       },
       setClearance: (distance) => {
         this.clearance = distance;
+        this.search();
+      },
+      setShortest: (on) => {
+        this.shortest = on;
         this.search();
       },
       setValue: (end, joint, value) => {
@@ -148,7 +153,7 @@ export class Ways implements WayView {
     workbench.player.play(false);
     this.forget();
     void this.background
-      .call("findWay", problem.text(), this.host.closed(), this.clearance)
+      .call("findWay", problem.text(), this.host.closed(), this.clearance, this.shortest)
       .then((found) => found && this.answered(found))
       .catch((error: unknown) => this.refuse(linesOf(error)));
     this.show();

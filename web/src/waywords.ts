@@ -13,6 +13,9 @@ function rangesText(problem: WayProblem): string {
   return problem.read.joints.map(text).join(", ");
 }
 
+const lengthText = ({ way, shortest_at_least: least }: { way: number; shortest_at_least: number }): string =>
+  `It is ${roundText(way)} long; no way is shorter than ${roundText(least)}.`;
+
 export function wayVerdict(problem: WayProblem | null, found: FoundWay | null, fault: string[] | null): Verdict {
   if (fault) return { headline: "No answer", outcome: "invalid", lines: fault };
   if (!problem) return { headline: "No problem", outcome: "invalid", lines: [] };
@@ -25,7 +28,10 @@ export function wayVerdict(problem: WayProblem | null, found: FoundWay | null, f
     return {
       headline: "There is a way",
       outcome: "free",
-      lines: [`Every instant of it is proved free: ${count} waypoints, evenly from each to the next. ${by}`],
+      lines: [
+        `Every instant of it is proved free: ${count} waypoints, evenly from each to the next. ${by}`,
+        ...(answer.length ? [lengthText(answer.length)] : []),
+      ],
     };
   }
   if (answer.outcome === "none") {

@@ -122,6 +122,12 @@ test("start and goal of a body are dragged and turned, and every change is asked
   assert.equal(await headline(page), "There is a way");
   assert.match(await words(page), /exact signs/);
   assert.deepEqual(Object.keys((await asked(page)).joints), ["x", "y"]);
+  assert.ok(!/long/.test(await words(page)));
+  await page.check("#way-shortest");
+  await decided(page);
+  const [, way, least] = (await words(page)).match(/It is ([\d.]+) long; no way is shorter than ([\d.]+)\./);
+  assert.ok(Number(least) > 0.99 * Number(way) && Number(least) <= Number(way), `${least} of ${way}`);
+  await page.uncheck("#way-shortest");
   await page.check("#way-outside");
   await decided(page);
   assert.equal(await headline(page), "There is no way");
