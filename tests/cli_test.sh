@@ -217,6 +217,12 @@ expect 2 '' 'give a lift at which it is free at all times' follow valve.json --b
 expect 2 '' 'instants: they are not' follow valve.json --body plate --reach 2 --instants 0
 expect 2 '' '--body: there is no body "late"' follow valve.json --body late --reach 2
 expect 2 '' '--reach' follow valve.json --body plate
+expect 0 'CONTACTS  1 stretch, changes known to 1e-06 of the time' '' follow valve.json --body plate --reach 2 --contacts --tolerance 1e-6
+expect 0 '"state":"carried","lift":.*"touching":.."vertex":{"body":"cam","index":2}' '' follow valve.json --body plate --reach 2 --contacts --json
+expect 0 ',carried,.*,0,0,cam 2 on plate 0$' '' follow valve.json --body plate --reach 2 --contacts-csv -
+expect 2 '' 'tolerance: it is not' follow valve.json --body plate --reach 2 --contacts --tolerance 2
+expect 2 '' 'taut flatten' follow "$examples/curves/cam.json" --body roller --reach 20 --contacts
+expect 3 'UNDECIDED' '' follow valve.json --body plate --reach 2 --contacts --max-seconds 0
 expect 3 'undecided on .0, 1.: the time limit was reached' '' follow valve.json --body plate --reach 2 --max-seconds 0
 expect 2 '' 'way.pdf: the name does not say which form is wanted' swept primitive.json -o way.pdf
 expect 2 '' '--body: there is no body "car"' swept primitive.json --body car

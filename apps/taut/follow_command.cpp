@@ -19,11 +19,55 @@ namespace {
 
 struct FollowArguments {
   SceneSource scene;
-  std::string body, csv;
+  std::string body, csv, contacts_csv;
   double direction = 90, reach = 0;
   FollowOptions options;
   bool json = false;
 };
+
+/// What touches in a stretch: the first few.
+std::string touching_text(const Scene& scene, const std::vector<FollowContact>& contacts) {
+  constexpr std::size_t most = 4;
+  std::string text;
+  for (std::size_t k = 0; k < std::min(most, contacts.size()); ++k)
+    text += (k > 0 ? ", " : "") + contact_text(scene, contacts[k]);
+  return contacts.size() > most ? fmt::format("{} and {} others", text, contacts.size() - most) : text;
+}
+
+std::string stretch_text(const Scene& scene, const FollowStretch& s) {
+  const std::string touching = touching_text(scene, s.contacts);
+  switch (s.state) {
+    case FollowState::carried:
+      return fmt::format("  [{:.10g}, {:.10g}] {}\n", s.time.lo, s.time.hi, touching);
+    case FollowState::low:
+      return fmt::format("  [{:.10g}, {:.10g}] below 0\n", s.time.lo, s.time.hi);
+    case FollowState::change:
+      if (s.once) return fmt::format("  {:.10g} {}\n", s.time.lo, s.jumps ? "jumps" : "changes");
+      return fmt::format("  {:.10g} {}among {}\n", s.time.lo, s.jumps ? "jumps, " : "", touching);
+    case FollowState::open:
+      break;
+  }
+  return fmt::format("  [{:.10g}, {:.10g}] UNDECIDED{}{}\n", s.time.lo, s.time.hi, touching.empty() ? "" : ", among ",
+                     touching);
+}
+
+/// The sequence of contacts, its first lines.
+std::string contacts_text(const Scene& scene, const FollowOptions& options, const FollowAnswer& answer) {
+  if (!options.contacts) return {};
+  constexpr std::size_t most = 40;
+  std::size_t carried = 0;
+  for (const FollowStretch& s : answer.contacts) carried += s.state == FollowState::carried ? 1 : 0;
+  std::string text = fmt::format("CONTACTS  {} {}, changes known to {:.3g} of the time\n", carried,
+                                 carried == 1 ? "stretch" : "stretches", options.tolerance);
+  for (std::size_t k = 0; k < std::min(most, answer.contacts.size()); ++k)
+    text += stretch_text(scene, answer.contacts[k]);
+  if (answer.contacts.size() > most)
+    text += fmt::format("  and {} more: --contacts-csv and --json have all\n", answer.contacts.size() - most);
+  if (!answer.contacts_reason.empty()) text += "  " + answer.contacts_reason + "\n";
+  return text;
+}
+
+bool is_decided(const FollowAnswer& answer) { return answer.undecided.empty() && answer.contacts_reason.empty(); }
 
 std::string in_words(const Scene& scene, BodyId body, const FollowOptions& options, const FollowAnswer& answer) {
   const std::string& name = scene.bodies[static_cast<std::size_t>(body)].name;
@@ -53,17 +97,19 @@ std::string in_words(const Scene& scene, BodyId body, const FollowOptions& optio
 int run_follow(const FollowArguments& arguments) {
   const Scene scene = load_scene(arguments.scene);
   FollowOptions options = arguments.options;
+  if (!arguments.contacts_csv.empty()) options.contacts = true;
   options.limits.stop = stop_on_signals();
   const BodyId body = chosen_body(scene, arguments.body);
   const FollowAnswer answer = watched(scene, arguments.scene.path, [&] {
     return follow(scene, body, direction_of(arguments.direction), arguments.reach, options);
   });
   if (!arguments.csv.empty()) write_output(arguments.csv, follow_csv(answer));
+  if (!arguments.contacts_csv.empty()) write_output(arguments.contacts_csv, follow_contacts_csv(scene, answer));
   // What goes to standard output is one thing.
-  const int code = answer.undecided.empty() ? exit_free : exit_undecided;
-  if (arguments.csv == "-") return code;
+  const int code = is_decided(answer) ? exit_free : exit_undecided;
+  if (arguments.csv == "-" || arguments.contacts_csv == "-") return code;
   print_text(arguments.json ? follow_json(scene, body, options, answer) + "\n"
-                            : in_words(scene, body, options, answer));
+                            : in_words(scene, body, options, answer) + contacts_text(scene, options, answer));
   return code;
 }
 
@@ -83,8 +129,15 @@ void add_follow(const Command& app, Action& action) {
                   "along which it is lifted, counterclockwise from the x axis (90)")
       .value("A");
   command.add_option("--instants", arguments->options.instants, "at about how many instants (360)").value("N");
+  command.add_flag("--contacts", arguments->options.contacts, "also find what touches what, at all times");
+  command
+      .add_option("--tolerance", arguments->options.tolerance,
+                  "of the contacts: how long a change may be, as a share of the time (1e-9)")
+      .value("X");
   add_touch(command, arguments->options.touch);
   command.add_option("--csv", arguments->csv, "write the lifts to FILE, with their bounds (- is standard output)")
+      .value("FILE");
+  command.add_option("--contacts-csv", arguments->contacts_csv, "write the contacts to FILE, and find them")
       .value("FILE");
   add_max_seconds(command, arguments->options.limits);
   command.add_flag("--json", arguments->json, "print one JSON object");
@@ -96,7 +149,8 @@ void add_follow(const Command& app, Action& action) {
       "known\n"
       "where nothing reaches up to there. Every instant and every lift is enclosed; what touches only between two "
       "instants is\n"
-      "not seen. Exit code 3 if some of the time is undecided.\n");
+      "not among the lifts: --contacts lists it, too, for bodies without curves. Exit code 3 if some of the time is "
+      "undecided.\n");
   command.on_chosen([&action, arguments] { action = [arguments] { return run_follow(*arguments); }; });
 }
 

@@ -31,6 +31,26 @@ def test_a_plate_on_a_square():
     assert "limit" in stopped.reason
 
 
+def test_what_holds_a_plate():
+    """The corners of a square that turns about its centre hold a plate in turn."""
+    cam = taut2d.Body("cam", SQUARE, taut2d.Velocity((0, 0), spin_deg=90))
+    scene = taut2d.Scene([cam, taut2d.Body("plate", PLATE)], (0.25, 2.25))
+    found = taut2d.follow(scene, "plate", 2, instants=1, contacts=True, tolerance=1e-6)
+    assert [s.state for s in found.contacts] == ["carried", "change"] * 2 + ["carried"]
+    held = [s for s in found.contacts if s.state == "carried"]
+    assert [s.touching[0].vertex.index for s in held] == [2, 1, 0]
+    assert all(len(s.touching) == 1 and s.touching[0].edge.body == "plate" for s in held)
+    for change, t in zip(found.contacts[1::2], (1, 2)):
+        assert change.t[0] <= t <= change.t[1] < change.t[0] + 2e-6
+        assert change.once and not change.jumps
+    assert (found.contacts[0].t[0], found.contacts[-1].t[1], found.contacts_reason) == (0.25, 2.25, None)
+    assert taut2d.follow(scene, "plate", 2, instants=1).contacts is None
+    with pytest.raises(taut2d.InputError, match="tolerance"):
+        taut2d.follow(scene, "plate", 2, contacts=True, tolerance=0)
+    stopped = taut2d.follow(scene, "plate", 2, contacts=True, max_seconds=0)
+    assert [s.state for s in stopped.contacts] == ["open"] and "limit" in stopped.contacts_reason
+
+
 def simulation(motion):
     bodies = [taut2d.Body("block", SQUARE), taut2d.Body("ram", [(-6, -0.5), (-4, -0.5), (-4, 0.5), (-6, 0.5)], motion)]
     return taut2d.Simulation(taut2d.Scene(bodies, (0, 10)), record=True)

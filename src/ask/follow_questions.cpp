@@ -1,12 +1,62 @@
 // The question about a follower on a cam, as text: follow.
 #include "ask/question.hpp"
 
+#include <fmt/format.h>
+
 #include "io/answer_writer.hpp"
 #include "io/number_text.hpp"
 #include "taut/follow.hpp"
 
 namespace taut {
 using namespace internal;
+namespace {
+
+void write_contact(io::AnswerWriter& json, const FollowContact& contact) {
+  json.object([&] {
+    json.vertex("vertex", contact.vertex);
+    json.edge("edge", contact.edge);
+  });
+}
+
+void write_stretch(io::AnswerWriter& json, const FollowStretch& stretch) {
+  json.object([&] {
+    json.time("t", stretch.time);
+    json.member("state", name_of(stretch.state));
+    json.key("lift").numbers({stretch.lift[0], stretch.lift[1]});
+    if (stretch.once) json.member("once", true);
+    if (stretch.jumps) json.member("jumps", true);
+    json.key("touching").array(stretch.contacts, [&](const FollowContact& contact) { write_contact(json, contact); });
+  });
+}
+
+/// "plate 0", or "plate part 1 hole 0: 3" where there are several rings.
+template <class Ref>
+std::string feature_text(const Scene& scene, const Ref& ref) {
+  const Body& body = scene.bodies[static_cast<std::size_t>(ref.body)];
+  std::string text = body.name;
+  if (body.parts.size() > 1) text += fmt::format(" part {}", ref.part);
+  if (ref.ring > 0) text += fmt::format(" hole {}", ref.ring - 1);
+  return fmt::format("{} {}", text, ref.index);
+}
+
+/// A name in a table: in quotes where it would end the column.
+std::string table_cell(const std::string& text) {
+  if (text.find_first_of("\",\n") == std::string::npos) return text;
+  std::string all = "\"";
+  for (const char c : text) all += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return all + "\"";
+}
+
+}  // namespace
+
+const char* name_of(FollowState state) {
+  constexpr const char* names[] = {"carried", "low", "change", "open"};
+  return names[static_cast<std::size_t>(state)];
+}
+
+std::string contact_text(const Scene& scene, const FollowContact& contact) {
+  return feature_text(scene, contact.vertex) + " on " + feature_text(scene, contact.edge);
+}
 
 std::string follow_json(const Scene& scene, BodyId follower, const FollowOptions& options, const FollowAnswer& answer) {
   return io::answer_text(scene, [&](io::AnswerWriter& json) {
@@ -20,6 +70,11 @@ std::string follow_json(const Scene& scene, BodyId follower, const FollowOptions
         json.edge("edge", lift.edge);
       });
     });
+    if (options.contacts) {
+      json.member("tolerance", options.tolerance);
+      json.key("contacts").array(answer.contacts, [&](const FollowStretch& s) { write_stretch(json, s); });
+      if (!answer.contacts_reason.empty()) json.member("contacts_reason", answer.contacts_reason);
+    }
     if (!answer.undecided.empty()) {
       json.key("undecided").array(answer.undecided, [&](const TimeInterval& t) { json.numbers({t.lo, t.hi}); });
       json.member("reason", answer.reason);
@@ -39,6 +94,19 @@ std::string follow_csv(const FollowAnswer& answer) {
   return text;
 }
 
+std::string follow_contacts_csv(const Scene& scene, const FollowAnswer& answer) {
+  std::string text = "t_lo,t_hi,state,lift_lo,lift_hi,once,jumps,touching\n";
+  for (const FollowStretch& s : answer.contacts) {
+    std::string touching;
+    for (const FollowContact& contact : s.contacts)
+      touching += (touching.empty() ? "" : "; ") + contact_text(scene, contact);
+    text += fmt::format("{},{},{},{},{},{},{},{}\n", io::number_text(s.time.lo), io::number_text(s.time.hi),
+                        name_of(s.state), io::number_text(s.lift[0]), io::number_text(s.lift[1]), s.once ? 1 : 0,
+                        s.jumps ? 1 : 0, table_cell(touching));
+  }
+  return text;
+}
+
 }  // namespace taut
 
 namespace taut::internal {
@@ -46,7 +114,8 @@ namespace {
 
 Reply ask_follow(const Scene& scene, const GivenOptions& given) {
   const BodyId body = body_called(scene, given.text("body"));
-  const FollowOptions options{static_cast<std::size_t>(given.whole_number("instants")), given.touch(), given.limits()};
+  const FollowOptions options{static_cast<std::size_t>(given.whole_number("instants")), given.flag("contacts"),
+                              given.number("tolerance"), given.touch(), given.limits()};
   const FollowAnswer answer =
       follow(scene, body, direction_of(given.number("direction_deg")), given.number("reach"), options);
   return {follow_json(scene, body, options, answer)};
@@ -62,8 +131,11 @@ std::vector<QuestionEntry> follow_questions() {
        {required_text("body", "The name of the follower."),
         required_number("reach", "The lift at which the follower clears all other bodies at all times."),
         number_option("direction_deg", 90, "Along which it is lifted, in degrees counterclockwise from the x axis."),
-        whole_option("instants", 1, 1000000, FollowOptions{}.instants, "At about how many instants."), touch_option(),
-        max_seconds_option()},
+        whole_option("instants", 1, 1000000, FollowOptions{}.instants, "At about how many instants."),
+        flag_option("contacts", "Also what touches what, at all times."),
+        number_option("tolerance", FollowOptions{}.tolerance,
+                      "Of the contacts: how long a change may be, as a share of the scene's time."),
+        touch_option(), max_seconds_option()},
        ask_follow}};
 }
 

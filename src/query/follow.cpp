@@ -8,6 +8,8 @@
 
 #include "motion/degrees.hpp"
 #include "numeric/progress.hpp"
+#include "query/contact_sequence.hpp"
+#include "scene/curved_world.hpp"
 #include "solver/run.hpp"
 #include "taut/error.hpp"
 #include "taut/pose.hpp"
@@ -29,7 +31,7 @@ Scene coming_down(const Scene& scene, BodyId follower) {
   return drop;
 }
 
-void check_follower(const Scene& scene, BodyId follower, double reach, std::size_t instants) {
+void check_follower(const Scene& scene, BodyId follower, double reach, const FollowOptions& options) {
   const auto count = static_cast<BodyId>(scene.bodies.size());
   if (follower < 0 || follower >= count)
     throw InputError("follower", "there is no body " + std::to_string(follower),
@@ -38,10 +40,15 @@ void check_follower(const Scene& scene, BodyId follower, double reach, std::size
   if (!body.motion.pieces.empty())
     throw InputError("follower", "\"" + body.name + "\" has a motion of its own",
                      "leave it out: the cam moves it; draw it where its lift is 0");
-  if (instants < 1 || instants > 1000000)
+  if (options.instants < 1 || options.instants > 1000000)
     throw InputError("instants", "they are not 1 to 1000000", "360, for instance");
   if (!(reach > 0 && std::isfinite(reach)))
     throw InputError("reach", "it is not a positive number", "give a lift at which the follower is free");
+  if (!(options.tolerance >= 1e-13 && options.tolerance <= 1))
+    throw InputError("tolerance", "it is not between 1e-13 and 1", "1e-9 of the scene's time is usual");
+  if (options.contacts && has_curves(scene))
+    throw InputError("contacts", "they are those of polygons, and there are curves",
+                     "make polygons of them: taut flatten, with a tolerance");
 }
 
 /// The other pairs, all of which are ignored, are no part of the question.
@@ -231,11 +238,50 @@ class FollowerSearch {
   FollowAnswer answer_;
 };
 
+/// Is the follower free at `reach` at all times? The reason, if that is not decided.
+std::string why_not_free_at_reach(const Scene& scene, BodyId follower, const Point& unit, double reach,
+                                  const CheckOptions& options) {
+  Scene held = coming_down(scene, follower);
+  MotionPiece& piece = held.bodies[static_cast<std::size_t>(follower)].motion.pieces.emplace_back();
+  piece.x = {reach * unit.x};
+  piece.y = {reach * unit.y};
+  held.at_rest = AtRest::test;
+  const Answer answer = check(held, options);
+  if (answer.contact || answer.outcome == Outcome::overlap_at_start)
+    throw InputError("reach",
+                     fmt::format("at t = {}, the follower meets another body there",
+                                 answer.contact ? answer.contact->time.lo : scene.start),
+                     "for contacts, give a lift at which it is free at all times");
+  return answer.outcome == Outcome::undecided ? answer.reason : std::string();
+}
+
+void find_contacts(const Scene& scene, BodyId follower, const Point& direction, double reach,
+                   const FollowOptions& given, std::chrono::steady_clock::time_point began, FollowAnswer& answer) {
+  CheckOptions options;
+  options.touch = given.touch;
+  options.limits = {time_left(given.limits.max_seconds, began), given.limits.stop};
+  options.tell_touching = false;
+  answer.contacts_reason = why_not_free_at_reach(scene, follower, unit_vector(direction), reach, options);
+  if (!answer.contacts_reason.empty()) {
+    answer.contacts = {{FollowState::open, {scene.start, scene.end}, {0, reach}, {}}};
+    return;
+  }
+  const Limits left{time_left(given.limits.max_seconds, began), given.limits.stop};
+  const Budget scope(left);
+  answer.contacts = contact_sequence(
+      Instance(scene), {follower, direction, reach, given.tolerance * (scene.end - scene.start), given.touch},
+      answer.contacts_reason);
+}
+
 }  // namespace
 
 FollowAnswer follow(const Scene& scene, BodyId follower, Point direction, double reach, const FollowOptions& options) {
-  check_follower(scene, follower, reach, options.instants);
-  return FollowerSearch(scene, follower, unit_vector(direction), reach, options).run();
+  check_follower(scene, follower, reach, options);
+  const Point unit = unit_vector(direction);
+  const auto began = std::chrono::steady_clock::now();
+  FollowAnswer answer = FollowerSearch(scene, follower, unit, reach, options).run();
+  if (options.contacts) find_contacts(scene, follower, direction, reach, options, began, answer);
+  return answer;
 }
 
 Point direction_of(double degrees) {

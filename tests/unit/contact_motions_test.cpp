@@ -147,5 +147,119 @@ TEST(ContactMotions, AFollowerLiesOnWhatPassesOverIt) {
   }
 }
 
+std::vector<FollowStretch> contacts_of(const Scene& scene, BodyId follower, Touch touch = Touch::open) {
+  FollowOptions options;
+  options.instants = 1;
+  options.contacts = true;
+  options.touch = touch;
+  const FollowAnswer answer = follow(scene, follower, {0, 1}, 20, options);
+  EXPECT_EQ(answer.contacts_reason, "");
+  EXPECT_EQ(answer.contacts.front().time.lo, scene.start);
+  EXPECT_EQ(answer.contacts.back().time.hi, scene.end);
+  for (std::size_t k = 1; k < answer.contacts.size(); ++k)
+    EXPECT_EQ(answer.contacts[k - 1].time.hi, answer.contacts[k].time.lo);
+  return answer.contacts;
+}
+
+std::string states_of(const std::vector<FollowStretch>& contacts) {
+  std::string text;
+  for (const FollowStretch& s : contacts) text += name_of(s.state)[0];
+  return text;
+}
+
+/// The corners of a square that turns hold a plate in turn. At quarter turns an edge lies on the plate, for an instant.
+TEST(ContactMotions, CornersHoldAPlateInTurn) {
+  Scene scene;
+  scene.start = 0.5;
+  scene.end = 4.5;
+  scene.bodies = {{"cam", rectangle(-1, -1, 2, 2), from_velocity({0, 0}, 90)}, {"plate", rectangle(-3, 1, 6, 0.5), {}}};
+  const std::vector<FollowStretch> contacts = contacts_of(scene, 1);
+  ASSERT_EQ(states_of(contacts), "ccccccccc");
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    const FollowStretch& s = contacts[k];
+    ASSERT_EQ(s.state, k % 2 == 0 ? FollowState::carried : FollowState::change);
+    if (s.state == FollowState::change) {
+      EXPECT_TRUE(s.once);
+      EXPECT_FALSE(s.jumps);
+      EXPECT_LE(s.time.hi - s.time.lo, 4e-9);
+      EXPECT_LE(s.time.lo, 0.5 + static_cast<double>(k) / 2);
+      EXPECT_GE(s.time.hi, 0.5 + static_cast<double>(k) / 2);
+      continue;
+    }
+    ASSERT_EQ(s.contacts.size(), 1U);
+    EXPECT_EQ(s.contacts[0].vertex, (VertexRef{0, static_cast<int>(6 - k / 2) % 4}));
+    EXPECT_EQ(s.contacts[0].edge, (EdgeRef{1, 0}));
+  }
+}
+
+/// A table goes away under a block: an edge lies on an edge all the time, and then the block falls, once.
+TEST(ContactMotions, AFollowerFallsOffATable) {
+  Scene scene;
+  scene.end = 4;
+  MotionPiece away;
+  away.x = {-0.5, -1};
+  scene.bodies = {{"table", rectangle(-2, 0, 4, 3), {{away}}}, {"block", rectangle(-1, 1, 2, 1), {}}};
+  const std::vector<FollowStretch> contacts = contacts_of(scene, 1);
+  // Its left end comes under the block never: until it has left, the table's right end and the block's left one touch.
+  ASSERT_EQ(contacts.back().state, FollowState::low);
+  const FollowStretch& falls = contacts[contacts.size() - 2];
+  EXPECT_EQ(falls.state, FollowState::change);
+  EXPECT_TRUE(falls.once);
+  EXPECT_TRUE(falls.jumps);
+  EXPECT_LE(falls.time.lo, 2.5);
+  EXPECT_GE(falls.time.hi, 2.5);
+  for (const FollowStretch& s : contacts) {
+    if (s.state != FollowState::carried) continue;
+    EXPECT_EQ(s.contacts.size(), 2U);
+    EXPECT_LE(s.lift[0], 2);
+    EXPECT_GE(s.lift[1], 2);
+    EXPECT_LT(s.lift[1] - s.lift[0], 1e-12);
+  }
+}
+
+/// A block as wide as the gap between walls comes down on a step. Its sides slide along the walls, which is no contact
+/// of open bodies; of closed ones, its lower corners meet the walls' upper ones before.
+TEST(ContactMotions, SidesAlongTheDirectionHoldNothing) {
+  Scene scene;
+  scene.end = 1;
+  MotionPiece up;
+  up.y = {0.25, 0.5};
+  scene.bodies = {{"step", rectangle(-1, 0, 2, 1), {{up}}},
+                  {"left", rectangle(-2, 0, 1, 5), {}},
+                  {"right", rectangle(1, 0, 1, 5), {}},
+                  {"block", rectangle(-1, 1, 2, 1), {}}};
+  const std::vector<FollowStretch> open = contacts_of(scene, 3);
+  ASSERT_EQ(open.size(), 1U);
+  EXPECT_EQ(open[0].state, FollowState::carried);
+  EXPECT_EQ(open[0].contacts.size(), 4U);
+  EXPECT_TRUE(std::all_of(open[0].contacts.begin(), open[0].contacts.end(), [](const FollowContact& c) {
+    return (c.vertex.body == 0 && c.edge.body == 3) || (c.vertex.body == 3 && c.edge.body == 0);
+  }));
+  const std::vector<FollowStretch> closed = contacts_of(scene, 3, Touch::closed);
+  ASSERT_EQ(closed.size(), 1U);
+  EXPECT_EQ(closed[0].state, FollowState::carried);
+  EXPECT_TRUE(std::all_of(closed[0].contacts.begin(), closed[0].contacts.end(),
+                          [](const FollowContact& c) { return c.vertex.body != 0 && c.edge.body != 0; }));
+}
+
+TEST(ContactMotions, ContactsOfFollowersHaveLimits) {
+  Scene scene;
+  scene.end = 1;
+  scene.bodies = {{"cam", rectangle(-1, -1, 2, 2), from_velocity({0, 0}, 90)}, {"plate", rectangle(-3, 1, 6, 0.5), {}}};
+  FollowOptions options;
+  options.contacts = true;
+  options.limits.max_seconds = 0;
+  const FollowAnswer stopped = follow(scene, 1, {0, 1}, 2, options);
+  EXPECT_EQ(states_of(stopped.contacts), "o");
+  EXPECT_NE(stopped.contacts_reason, "");
+  options.limits = {};
+  options.tolerance = 0;
+  EXPECT_THROW(follow(scene, 1, {0, 1}, 2, options), InputError);
+  options.tolerance = 1e-9;
+  // A bar comes to where the follower is lifted to, later.
+  scene.bodies.push_back({"bar", rectangle(5, 3, 4, 0.5), from_velocity({-9, 0})});
+  EXPECT_THROW(follow(scene, 1, {0, 1}, 2, options), InputError);
+}
+
 }  // namespace
 }  // namespace taut::testing

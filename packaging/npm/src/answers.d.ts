@@ -489,11 +489,35 @@ export interface SweptRegion {
   parts: { outline: [number, number][]; holes?: [number, number][][] }[];
 }
 
+/** A stretch of the time of a follower's contacts. */
+export interface FollowStretch {
+  t: [number, number];
+  /**
+   * "carried": `touching` holds the follower, all of it, and nothing else does, at all instants. "low": the lift is below
+   * 0 at all of them. "change": contacts change here, in no longer than the tolerance. "open": longer, and not decided.
+   */
+  state: "carried" | "low" | "change" | "open";
+  /** Encloses the lifts; 0 stands for lower ones. */
+  lift: [number, number];
+  /** It is proved to be one change, of the contacts before to those after. */
+  once?: true;
+  /** The lift is proved to jump here. */
+  jumps?: true;
+  /** Of "change" and "open": all that may touch. */
+  touching: { vertex: Feature; edge: Feature }[];
+}
+
 /** Of follow(): instants at which nothing reaches up to where the scene has the follower are left out. */
 export interface FollowAnswer {
   body: string;
   instants: number;
   lifts: { t: [number, number]; lift: [number, number]; vertex: Feature; edge: Feature }[];
+  /** With contacts: how long a change may be, as a share of the scene's time. */
+  tolerance?: number;
+  /** With contacts: stretches of time in order, from the scene's start to its end. */
+  contacts?: FollowStretch[];
+  /** Why the first open one of these is. */
+  contacts_reason?: string;
   /** Stretches of time whose instants are not decided; absent if there are none. */
   undecided?: [number, number][];
   /** Why the first of these is not. */

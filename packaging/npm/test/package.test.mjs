@@ -283,6 +283,8 @@ test("its types have all members of scenes and answers, and answers have all tha
   constants.push(["CellsAnswer", "falls", await taut.cells(falls, "hammer", 1)]);
   constants.push(["SweptRegion", "falls", await taut.swept(falls, "hammer")]);
   constants.push(["FollowAnswer", "falls", await taut.follow(falls, "anvil", 9, { instants: 4, directionDeg: -90 })]);
+  const held = { instants: 4, directionDeg: -90, contacts: true };
+  constants.push(["FollowAnswer", "held", await taut.follow(falls, "anvil", 9, held)]);
   constants.push(["SceneObject", "falls", await taut.flatten(falls, 1)]);
   constants.push(["Drawn", "falls", await taut.draw(falls, { at: 1 })]);
   constants.push(["ReadDrawing", "square", await taut.readDrawing("POLYGON((0 0, 1 0, 0 1, 0 0))", "square.wkt")]);

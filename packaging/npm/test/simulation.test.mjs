@@ -73,6 +73,11 @@ test("a plate follows a cam", async () => {
     const top = Math.SQRT2 * Math.cos((Math.PI / 2) * t[0] - Math.PI / 4) - 1;
     assert.ok(lift[0] - 1e-12 <= top && top <= lift[1] + 1e-12, `${lift} at ${t}`);
   }
+  const turning = { ...scene, time: [0.25, 1.5] };
+  const { contacts } = await taut.follow(turning, "plate", 2, { instants: 1, contacts: true, tolerance: 1e-6 });
+  assert.deepEqual(contacts.map(({ state }) => state), ["carried", "change", "carried"]);
+  assert.deepEqual(contacts.filter((s) => s.state === "carried").map((s) => s.touching[0].vertex.index), [2, 1]);
+  assert.equal(contacts[1].once, true);
 });
 
 test("a ball bounces between two walls", async () => {
