@@ -4,17 +4,15 @@ from __future__ import annotations
 
 import json
 from dataclasses import dataclass, field
-from typing import Any, Literal, Optional
+from typing import Any, Optional
 
 from ._numbers import number
 from .answers import Coverage, EdgeRef, VertexRef
 from .options import ask, scene_text
 from .scene import Scene, _plain_places
-from .words import Touch
+from .words import FollowState, Touch
 
-__all__ = ["FollowAnswer", "FollowContact", "FollowState", "FollowStretch", "Lift", "follow"]
-
-FollowState = Literal["carried", "low", "change", "open"]
+__all__ = ["FollowAnswer", "FollowContact", "FollowStretch", "Lift", "follow"]
 
 
 @dataclass(frozen=True)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Literal
 
-__all__ = ["AtRest", "CellState", "ContactAt", "CrossingContours", "Engine", "EngineName", "FaceKind", "Faults", "FillRule",
+__all__ = ["AtRest", "CellState", "ContactAt", "CrossingContours", "Engine", "EngineName", "FaceKind", "Faults", "FillRule", "FollowState",
            "Grouping", "LengthUnit", "MarginOutcome", "OpenLines", "OutcomeWord", "Pairs", "PathOutcome", "QuestionOutcome", "RangeOutcome",
            "RepairKind", "SeparationOutcome", "Side", "SimulationState", "Touch", "VerifiedOutcome"]
 
@@ -34,6 +34,7 @@ VerifiedOutcome = Literal["free", "contact", "undecided"]
 EngineName = Literal["kinetic", "spacetime", "both"]
 ContactAt = Literal["start", "motion", "joint"]
 CellState = Literal["free", "colliding", "undecided"]
+FollowState = Literal["carried", "low", "change", "open"]
 FaceKind = Literal["node", "root", "infinite", "polygon_interior"]
 SimulationState = Literal["running", "finished", "contact", "overlap_at_start", "undecided", "untested", "locked"]
 RepairKind = Literal["loop", "crossing", "spike", "sliver"]
