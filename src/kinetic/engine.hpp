@@ -83,7 +83,10 @@ class Engine {
   void replan(MotionSegments segments);
 
   /// Of many engines, one after the other works: this one gives memory that it can do without to the next one.
-  void put_aside() { solver_.release_cells(); }
+  void put_aside() {
+    solver_.put_aside();
+    segments_.give_back();
+  }
 
   std::uint64_t events() const { return events_; }
   std::size_t active_certificates() const { return active_; }

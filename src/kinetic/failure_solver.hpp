@@ -42,10 +42,14 @@ class FailureSolver {
     clock_.reserve_cells();
     memory_.reserve_expansions();
   }
-  /// Gives room that is not needed between two queries to others in this thread.
-  void release_cells() {
+  /// Gives room that is not needed between two queries to others in this thread, and that for precise times back, if
+  /// there are none: doubles decide nearly everything.
+  void put_aside() {
     clock_.release();
     memory_.release();
+    if (!pool_.empty()) return;
+    pool_ = std::vector<PreciseTime>();
+    pool_free_ = std::vector<std::int32_t>();
   }
   std::size_t bytes() const {
     return pool_.capacity() * sizeof(PreciseTime) + pool_free_.capacity() * sizeof(std::int32_t);

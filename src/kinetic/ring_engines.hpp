@@ -49,6 +49,7 @@ class RingEngines {
   /// See Engine::put_aside().
   void put_aside() {
     for (Run& run : runs_) run.engine->put_aside();
+    segments_.give_back();
   }
 
   /// A contact in terms of the pair's geometry and segments.

@@ -135,6 +135,13 @@ bool MotionSegments::straight() const {
   return size() == 1 && segment.translation && segment.degree <= 1 && !segment.bridge;
 }
 
+void MotionSegments::give_back() const {
+  for (const Kept& place : window_) {
+    if (place.segment && place.segment.use_count() > 1) held_.emplace_back(place.number, place.segment);
+  }
+  window_ = std::vector<Kept>();
+}
+
 const std::shared_ptr<const MotionSegment>& MotionSegments::kept(std::size_t k) const {
   if (only_) return only_;
   if (window_.empty()) window_.resize(std::min(window, size()));

@@ -50,6 +50,8 @@ class MotionSegments {
   std::size_t first_until(double t) const;
   /// From when on bodies are only where they have been before: see motion/repetition.hpp.
   double repeats_from() const;
+  /// Drops the segments that nobody holds. They are constructed again, identically, when they are asked for.
+  void give_back() const;
   /// Removes the first segment; the others are renumbered.
   void drop_first();
   /// The segments of the same motion with the roles of P and Q exchanged. Not for a sequence of one existing segment.

@@ -154,6 +154,13 @@ const ModelCell& TaylorModelCache::at_level(int level, std::uint64_t index) {
   return cell;
 }
 
+void TaylorModelCache::release() {
+  store_.reset();
+  last_ = nullptr;
+  stored_ = false;
+  if (even_) even_->release();
+}
+
 void TaylorModelCache::place(ModelCell& cell, int level, std::uint64_t index) const {
   cell.level = level;
   cell.index = index;

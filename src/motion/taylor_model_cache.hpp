@@ -49,11 +49,7 @@ class TaylorModelCache {
     if (!store_) store_ = ThreadLocalPool<Store>::take();
   }
   /// Gives the room back, for others in this thread to use. Cells are computed again when they are needed.
-  void release() {
-    store_.reset();
-    last_ = nullptr;
-    stored_ = false;
-  }
+  void release();
   /// The memory reserved for cells, most of which is never touched.
   std::size_t bytes() const { return store_ ? sizeof(Store) + (store_->deep ? sizeof(Store::Deep) : 0) : 0; }
   /// Prepares a segment; the reference must stay valid.

@@ -246,10 +246,14 @@ const UniformRotation::Bounds& UniformRotation::bounds_for(double radius, Way wa
     way.size[k] = first_digits_above(way.size[k], digits_of_size);
     way.error[k] = first_digits_above(way.error[k], digits_of_error);
   }
-  for (const Bounds& b : kept_) {
+  if (!kept_) {
+    kept_ = ThreadLocalPool<Kept>::take();
+    for (Bounds& b : kept_->bounds) b.radius = -1;  // those of another rotation
+  }
+  for (const Bounds& b : kept_->bounds) {
     if (b.radius == radius && b.way.terms == way.terms && b.way.size == way.size && b.way.error == way.error) return b;
   }
-  Bounds& fresh = kept_[next_++ % kept_.size()];
+  Bounds& fresh = kept_->bounds[kept_->next++ % kept_->bounds.size()];
   fresh.way = way;
   fresh.radius = radius;
   FrameModel& model = fresh.model;

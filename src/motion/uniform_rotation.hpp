@@ -8,6 +8,7 @@
 #include "motion/frame_model.hpp"
 #include "motion/frame_sample.hpp"
 #include "numeric/fixed.hpp"
+#include "numeric/thread_local_pool.hpp"
 
 namespace taut::internal {
 
@@ -32,6 +33,8 @@ class UniformRotation {
   static std::shared_ptr<const UniformRotation> of(const MotionSegment& segment);
   /// The model of the part [start, end] of that segment. Nothing if an angle is too large.
   std::optional<FrameModel> model(const MotionSegment& segment, double start, double end) const;
+  /// Gives memory back, for others in this thread to use. What was kept there is computed again when it is needed.
+  void release() const { kept_.reset(); }
   /// Are bounds of the third derivatives the same over every part?
   bool is_steady() const { return constant_way_.has_value(); }
   /// Bounds of the third derivatives over a part.
@@ -104,9 +107,13 @@ class UniformRotation {
   Spin to_p_, to_q_, relative_;  ///< for conj(x_P) and conj(x_Q), and for conj(x_P) x_Q
   bool aligned_ = false;
   std::optional<Way> constant_way_;
-  mutable std::array<Bounds, 3> kept_;  ///< the ones used last
-  mutable std::size_t next_ = 0;
-  mutable std::unique_ptr<Precise> precise_;  ///< made on first use: few segments need more than doubles
+  /// The ones used last.
+  struct Kept {
+    std::array<Bounds, 3> bounds;
+    std::size_t next = 0;
+  };
+  mutable ThreadLocalPool<Kept>::Pointer kept_;  ///< null until they are needed
+  mutable std::unique_ptr<Precise> precise_;     ///< made on first use: few segments need more than doubles
 };
 
 }  // namespace taut::internal

@@ -48,7 +48,7 @@ void WorldSimulation::begin_tilings(Pairs::iterator pair, std::optional<double> 
 void WorldSimulation::enqueue(Pairs::iterator pair) {
   Near& near = pair->second;
   count_certificates(near);
-  if (near.solver && near.solver->engines() && !instance_.is_single_pair()) near.solver->engines()->put_aside();
+  if (near.solver && !instance_.is_single_pair()) near.solver->put_aside();
   if (!near.solver || near.solver->open()) {
     if (spare_.empty()) {
       queue_.insert({pair->second.due, pair->first});

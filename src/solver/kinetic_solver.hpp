@@ -65,6 +65,11 @@ class KineticSolver final : public PairSolver, private EngineObserver {
   /// The current tilings; null before the first window, and where the bodies overlap.
   RingEngines* engines() { return engines_.get(); }
   const RingEngines* engines() const { return engines_.get(); }
+  /// See Engine::put_aside().
+  void put_aside() {
+    segments_.give_back();
+    if (engines_) engines_->put_aside();
+  }
   /// The tilings in the user's terms.
   std::vector<NearTiling> tilings() const;
 
