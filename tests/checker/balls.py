@@ -52,6 +52,8 @@ def mul(x, y):
         return 0, 0
     if not r and not s:
         return (a * b) >> BITS, 1
+    if r > UNKNOWN or s > UNKNOWN:
+        return UNBOUNDED
     return (a * b) >> BITS, ((abs(a) * s + abs(b) * r + r * s) >> BITS) + 2
 
 
@@ -137,6 +139,7 @@ ZERO = (0, 0)
 # Of a derivative that has no bound: no sum or product of a few bounds, and no value, gets anywhere near, so that whatever
 # has it for a summand tells nothing.
 UNBOUNDED = (0, 1 << 64 * BITS)
+UNKNOWN = 1 << 48 * BITS  # a radius from which on a product is not computed: it would only be longer
 J0 = (ZERO, ZERO, ZERO)
 J1 = ((ONE, 0), ZERO, ZERO)
 
@@ -322,13 +325,22 @@ def first_change(sample, before, a, b, depth=400):
 
 
 def _bracket(sample, before, a, b):
+    """Of a function that goes one way only: nearer and nearer bounds of its zero, the next ones where a straight line
+    through the ends meets 0 (J. Abbott, Quadratic interval refinement for real roots, 2014). They are guesses: a sign
+    decides what is kept."""
+    finer = 2  # the logarithm of into how many parts the bounds are divided
     while b - a > 1 << 40:
-        m = (a + b) >> 1
-        told = sample(m, m).sign()
-        if not told:
+        ends = [abs(sample(x, x).value[0]) for x in (a, b)]
+        part = max(b - a >> finer, 1 << 39)
+        guess = a + (b - a) * ends[0] // max(sum(ends), 1)
+        before_that = a, b
+        for m in (guess - part // 2, guess + part // 2, a + b >> 1):
+            told = sample(m, m).sign() if a < m < b else 0
+            if told:
+                a, b = (m, b) if told == before else (a, m)
+            if b - a <= part:
+                break
+        finer = 2 * finer if b - a <= part else max(finer // 2, 1)
+        if (a, b) == before_that:
             break
-        if told == before:
-            a = m
-        else:
-            b = m
     return a, b

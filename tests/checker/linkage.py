@@ -6,7 +6,7 @@ import struct
 from fractions import Fraction
 
 from balls import (BITS, EXTRA, J0, J1, ONE, PI, ZERO, add, exact, inverse, jadd, jconst, jmul, jsub, jturn, mul, root,
-                   times)
+                   sin_cos, sub, times)
 from bodies import number
 from models import Model
 
@@ -18,8 +18,24 @@ def fraction_ball(x):
     return (x.numerator << BITS) // x.denominator, 1
 
 
+class Balls:
+    """The numbers of equations: values alone."""
+
+    zero, one, add, sub, mul = ZERO, (ONE, 0), staticmethod(add), staticmethod(sub), staticmethod(mul)
+    scaled = staticmethod(mul)
+
+    @staticmethod
+    def constant(x):
+        return x
+
+    @staticmethod
+    def unit(degrees):
+        s, c = sin_cos(mul(degrees, DEGREE))
+        return c, s
+
+
 class Jets:
-    """The numbers of equations: jets of time, as balls.py has them."""
+    """The same as functions of time: jets, as balls.py has them."""
 
     zero, one, add, sub, mul, constant = J0, J1, staticmethod(jadd), staticmethod(jsub), staticmethod(jmul), \
         staticmethod(jconst)
@@ -34,7 +50,7 @@ class Jets:
 
 
 class Models:
-    """The same over a cell: polynomials of its relative time, with an error."""
+    """And over a cell: polynomials of its relative time, with an error."""
 
     zero, one, constant = Model.constant(ZERO), Model.constant((ONE, 0)), staticmethod(Model.constant)
     add, sub, mul = staticmethod(Model.plus), staticmethod(Model.minus), staticmethod(Model.by)
@@ -95,6 +111,16 @@ def value_at(polynomial, t):
     for c in reversed(polynomial):
         total = total * t + c
     return total
+
+
+def drive_jet(polynomial, t):
+    """Of a ball of times."""
+    v, d, dd = ZERO, ZERO, ZERO
+    for x in reversed(polynomial):
+        dd = add(mul(dd, t), d)
+        d = add(mul(d, t), v)
+        v = add(mul(v, t), fraction_ball(x))
+    return v, d, times(dd, 2)
 
 
 class Form:
@@ -235,10 +261,21 @@ class Linkage:
         p, q = self.placed(algebra, a, joint.place), self.placed(algebra, b, joint.place)
         return a, p, q, (algebra.sub(q[0], p[0]), algebra.sub(q[1], p[1]))
 
-    def equations(self, algebra, unknowns, drives):
+    @staticmethod
+    def seen_from(algebra, pose, v):
+        """A vector's coordinates in a frame that turns with a link."""
+        c, s = pose[2:]
+        return (algebra.add(algebra.mul(c, v[0]), algebra.mul(s, v[1])),
+                algebra.sub(algebra.mul(c, v[1]), algebra.mul(s, v[0])))
+
+    def equations(self, algebra, unknowns, drives, turning=False):
+        """`turning`: the gap of a pin that closes a loop is seen from the later one of its links, not from the ground.
+        Both vanish at once; where a loop turns as a whole, the former equations do not turn with it."""
         poses, out = self.poses(algebra, unknowns, drives), []
         for first, second, joint, form in self.closures:
             a, _, _, (x, y) = self.apart(algebra, poses, first, second, joint)
+            if turning and not joint.slide:
+                x, y = self.seen_from(algebra, poses[max(first, second)], (x, y))
             turn = algebra.sub(self.angle(algebra, unknowns, drives, second),
                                self.angle(algebra, unknowns, drives, first))
             value = form and form.value(algebra, unknowns, drives)
@@ -252,12 +289,13 @@ class Linkage:
                 out.append(algebra.sub(along, value))
         return out
 
-    def jacobian(self, algebra, unknowns, drives):
+    def jacobian(self, algebra, unknowns, drives, turning=False):
         """Rows of the derivatives of the equations by the unknowns."""
         poses, rows = self.poses(algebra, unknowns, drives), []
         for first, second, joint, form in self.closures:
             a, p, q, apart = self.apart(algebra, poses, first, second, joint)
             e = self.turned_vector(algebra, a, joint.direction) if joint.slide else None
+            frame = max(first, second) if turning and not joint.slide else None
             size = 2 + (form is not None)
             block = [[algebra.zero] * self.unknowns for _ in range(size)]
             for side, link, point in ((-1, first, p), (1, second, q)):
@@ -265,6 +303,8 @@ class Linkage:
                     if self.forms[k].of != "unknown":
                         continue
                     moves = self.change(algebra, poses, k, side, point, joint, e, apart)
+                    if frame is not None:
+                        moves = self.change_seen(algebra, poses[frame], k, link == frame, moves, apart)
                     j, factor = self.forms[k].index, fraction_ball(self.forms[k].factor)
                     for i in range(size):
                         block[i][j] = algebra.add(block[i][j], algebra.scaled(moves[i], factor))
@@ -301,3 +341,13 @@ class Linkage:
             across = algebra.add(across, algebra.scaled(dot, radian))
             along = algebra.add(along, algebra.scaled(det, radian))
         return across, turn, along
+
+    def change_seen(self, algebra, frame, k, turns, moves, apart):
+        """The same of a pin whose gap is seen from a link, which may turn with the joint's value as well."""
+        x, y = self.seen_from(algebra, frame, moves[:2])
+        if turns and not self.moved[k].slide:
+            by = times(DEGREE, -1 if self.tree.links[k].reversed else 1)
+            along, across = self.seen_from(algebra, frame, apart)
+            x = algebra.add(x, algebra.scaled(across, by))
+            y = algebra.sub(y, algebra.scaled(along, by))
+        return x, y, moves[2]

@@ -3,7 +3,7 @@
 import math
 from fractions import Fraction
 
-from balls import BITS, ONE, ZERO, Undecided, add, exact, mul, sub
+from balls import BITS, ONE, Undecided, add, exact, sub
 from linkage import Models, fraction_ball
 from models import Model
 
@@ -50,33 +50,29 @@ def magnitude(x):
 
 
 class Preconditioned:
-    """A matrix A of balls, an approximate inverse Y in doubles, and a bound of |1 - Y A|."""
+    """A matrix A of balls, an approximate inverse Y in doubles, and bounds of |1 - Y A| times the weights: `shares`."""
 
     def __init__(self, rows, weights, y=None):
         self.rows, self.weights = rows, weights
         self.y = y or approximate_inverse(rows)
         n = len(rows)
-        bounds = []
+        sizes = [Fraction(w) for w in weights]
+        self.shares = []
         for i in range(n):
             total = Fraction(0)
             for j in range(n):
-                entry = (ONE if i == j else 0, 0)
-                for k in range(n):
-                    entry = sub(entry, mul((self.y[i][k], 0), rows[k][j]))
-                total += Fraction(magnitude(entry), ONE) * Fraction(weights[j]) / Fraction(weights[i])
-            bounds.append(total)
-        self.norm = max(bounds, default=Fraction(0))
+                middle = sum(self.y[i][k] * rows[k][j][0] for k in range(n)) >> BITS
+                radius = (sum(abs(self.y[i][k]) * rows[k][j][1] for k in range(n)) >> BITS) + 2
+                total += (abs((ONE if i == j else 0) - middle) + radius) * sizes[j]
+            self.shares.append(total / ONE)
+        self.norm = max((share / size for share, size in zip(self.shares, sizes)), default=Fraction(0))
         if self.norm >= Fraction(9, 10):
             raise Undecided("a mechanism near a dead point")
 
     def product(self, v):
-        out = []
-        for row in self.y:
-            total = ZERO
-            for y, x in zip(row, v):
-                total = add(total, mul((y, 0), x))
-            out.append(total)
-        return out
+        """Y times a vector."""
+        return [(sum(y * x[0] for y, x in zip(row, v)) >> BITS, (sum(abs(y) * x[1] for y, x in zip(row, v)) >> BITS) + 2)
+                for row in self.y]
 
     def size(self, v):
         """In the norm with the weights."""
@@ -89,11 +85,9 @@ class Preconditioned:
     def solve(self, b):
         x, steps = [0] * len(b), 12
         for k in range(steps + 1):
-            rest = []
-            for row, right in zip(self.rows, b):
-                for a, c in zip(row, x):
-                    right = sub(right, mul(a, (c, 0)))
-                rest.append(right)
+            rest = [(right[0] - (sum(a[0] * c for a, c in zip(row, x)) >> BITS),
+                     right[1] + (sum(a[1] * abs(c) for a, c in zip(row, x)) >> BITS) + 2)
+                    for row, right in zip(self.rows, b)]
             change = self.product(rest)
             if k == steps:
                 break
@@ -114,8 +108,7 @@ class Cell:
         self.half = max(Fraction(hi) - Fraction(middle), Fraction(middle) - Fraction(lo))
         self.middle = Fraction(middle)
         share = self.half / Fraction(radius)
-        self.models = [Model([fraction_ball(Fraction(x) * u * share**k)[0] for k, x in enumerate(c)], len(c))
-                       for c, u in zip(given, unit)]
+        self.models = [Model.of([Fraction(x) * u * share**k for k, x in enumerate(c)]) for c, u in zip(given, unit)]
         # In powers of the time since the middle, as Fractions: for values.
         self.given = [[Fraction(x) * u for x in c] for c, u in zip(given, unit)]
         self.radius = Fraction(radius)
@@ -135,7 +128,7 @@ class Cell:
 
     def drive_models(self):
         out = []
-        time = Model([fraction_ball(self.middle)[0], fraction_ball(self.half)[0]], 2)
+        time = Model.of([self.middle, self.half])
         for c in self.drives:
             total = Models.zero
             for x in reversed(c):
@@ -143,13 +136,26 @@ class Cell:
             out.append(total)
         return out
 
-    def prove(self, linkage, last):
-        """One solution is within the tube of the polynomials, at each time of the cell; and it is the one in `last`."""
-        n = linkage.unknowns
+    def prove(self, linkage, last, turning=False):
+        """One solution is within the tube of the polynomials, at each time of the cell; and it is the one in `last`.
+        First by the equations as seen from the ground, or by those seen from a link (`turning`)."""
+        for self.turning in (turning, not turning):
+            try:
+                self.contract(linkage, last)
+                break
+            except Undecided:
+                if self.turning != turning:
+                    raise
+        for value, before, r in zip(self.value(Fraction(self.lo)), last, self.tube):
+            if not magnitude(sub(value, before)) < r:
+                raise Undecided("which way a mechanism goes on")
+
+    def contract(self, linkage, last):
+        """Krawczyk's test."""
         drives = self.drive_models()
-        y = approximate_inverse([[(m.c[0], 0) for m in row] for row in
-                                 linkage.jacobian(Models, self.models, drives)])
-        wrong = [m.norm() for m in self.times(y, linkage.equations(Models, self.models, drives))]
+        y = approximate_inverse([[m.middle() for m in row] for row in
+                                 linkage.jacobian(Models, self.models, drives, self.turning)])
+        wrong = [m.norm() for m in self.times(y, linkage.equations(Models, self.models, drives, self.turning))]
         # As narrow as the beginning allows: near a dead point, another solution is near.
         self.tube = [4 * max(w, x[1]) + floor_of(Fraction(weight) * LEAST_TUBE)
                      for w, x, weight in zip(wrong, last, linkage.weights)]
@@ -162,14 +168,11 @@ class Cell:
         else:
             raise Undecided("the joints of a mechanism, over a part of the time")
         self.error = self.closure(linkage, bound, wrong)
-        for value, before, r in zip(self.value(Fraction(self.lo)), last, self.tube):
-            if not magnitude(sub(value, before)) < r:
-                raise Undecided("which way a mechanism goes on")
 
     def contraction(self, linkage, y, drives):
         """A bound of |1 - Y F'| for all values within the tube."""
         n = linkage.unknowns
-        slopes = linkage.jacobian(Models, [m.widened(r) for m, r in zip(self.models, self.tube)], drives)
+        slopes = linkage.jacobian(Models, [m.widened(r) for m, r in zip(self.models, self.tube)], drives, self.turning)
         bound = [[0] * n for _ in range(n)]
         for j in range(n):
             for i, entry in enumerate(self.times(y, [slopes[k][j] for k in range(n)])):

@@ -7,11 +7,11 @@ import math
 import struct
 from fractions import Fraction
 
-from balls import BITS, ONE, UNBOUNDED, ZERO, Undecided, add, between, exact, jconst, mul, sub, times
+from balls import BITS, MINUTE, ONE, UNBOUNDED, ZERO, Undecided, add, between, exact, jconst, mul, sub, times
 from bodies import number
 from loop_cells import Cell, Preconditioned, magnitude
 from joint_tree import Tree
-from linkage import Jets, Linkage, fraction_ball
+from linkage import Balls, Jets, Linkage, drive_jet
 from models import ORDER
 from tiling import require
 
@@ -91,19 +91,10 @@ class Functions:
             if len(self.known) > 20000:
                 self.known.clear()
             linkage = self.linkage
-            drives = [self.drive_jet(c, t) for c in linkage.paths[piece]]
+            drives = [drive_jet(c, t) for c in linkage.paths[piece]]
             unknowns = self.unknown_jets(piece, t, drives) if linkage.unknowns else []
             self.known[key] = [form.value(Jets, unknowns, drives) for form in linkage.forms]
         return self.known[key]
-
-    @staticmethod
-    def drive_jet(c, t):
-        v, d, dd = ZERO, ZERO, ZERO
-        for x in reversed(c):
-            dd = add(mul(dd, t), d)
-            d = add(mul(d, t), v)
-            v = add(mul(v, t), fraction_ball(x))
-        return v, d, times(dd, 2)
 
     def unknown_jets(self, piece, t, drives):
         linkage = self.linkage
@@ -112,8 +103,7 @@ class Functions:
         else:
             values = self.enclosed(piece, t[0] - t[1], t[0] + t[1])
         try:
-            rows = linkage.jacobian(Jets, [jconst(x) for x in values], [jconst(x[0]) for x in drives])
-            system = Preconditioned([[x[0] for x in row] for row in rows], linkage.weights)
+            system = Preconditioned(linkage.jacobian(Balls, values, [x[0] for x in drives]), linkage.weights)
         except Undecided:
             return [(x, UNBOUNDED, UNBOUNDED) for x in values]
         jets = [(x, ZERO, ZERO) for x in values]
@@ -137,21 +127,20 @@ class Functions:
     def solved(self, piece, t, drives):
         """At an instant, to all digits."""
         linkage, cell = self.linkage, self.cell_at(piece, t)
-        constant = [jconst(x[0]) for x in drives]
+        constant = [x[0] for x in drives]
         near = cell.value(Fraction(t, ONE))
-        x, system = [v[0] for v in near], None
+        x = [v[0] for v in near]
+        system = Preconditioned(linkage.jacobian(Balls, [(v, 0) for v in x], constant), linkage.weights)
         for _ in range(14):
-            at = [jconst((v, 0)) for v in x]
-            if system is None:
-                rows = linkage.jacobian(Jets, at, constant)
-                system = Preconditioned([[r[0] for r in row] for row in rows], linkage.weights)
-            step = system.product([f[0] for f in linkage.equations(Jets, at, constant)])
+            step = system.product(linkage.equations(Balls, [(v, 0) for v in x], constant))
             x = [v - s[0] for v, s in zip(x, step)]
-        step = system.product([f[0] for f in linkage.equations(Jets, [jconst((v, 0)) for v in x], constant)])
+            # The next step would be some 40 bits shorter.
+            if all(abs(s[0]) < MINUTE << 30 for s in step):
+                break
+        step = system.product(linkage.equations(Balls, [(v, 0) for v in x], constant))
         size = 4 * system.size(step) + Fraction(1, 1 << (BITS - 40))
         box = [(v, r) for v, r in zip(x, system.spread(size))]
-        rows = linkage.jacobian(Jets, [jconst(v) for v in box], constant)
-        over = Preconditioned([[r[0] for r in row] for row in rows], linkage.weights, system.y)
+        over = Preconditioned(linkage.jacobian(Balls, box, constant), linkage.weights, system.y)
         if over.norm > Fraction(1, 2):
             raise Undecided("Newton's steps do not contract")
         for v, about, r in zip(box, near, cell.tube):
