@@ -106,6 +106,7 @@ TEST(SeparationLogs, Corpus) {
   SeparationCounts counts;
   expect_all_proved("tests/corpus", counts);
   expect_all_proved("tests/corpus/worlds", counts);
+  expect_all_proved("tests/corpus/mechanisms", counts);
   EXPECT_GT(counts.free + counts.contact, 60);
 }
 
