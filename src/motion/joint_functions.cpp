@@ -68,7 +68,7 @@ template <int N>
 Series<double, N> LoopCell::about(std::size_t unknown, const Ball<double>& t) const {
   if (box) {
     auto out = unknown_series<Series<double, N>>();
-    out.c[0] = Ball<double>(c[unknown][0], error[unknown]);
+    out.c[0] = box->range(unknown);
     return out;
   }
   using B = Ball<double>;

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "motion/curve_box.hpp"
 #include "motion/disc_series.hpp"
 #include "motion/loop_solver.hpp"
 
@@ -20,7 +21,7 @@ struct LoopCell {
   using Coefficients = std::array<double, order + 1>;
 
   double from, to, middle, radius;
-  bool box = false;             ///< only the values are enclosed, by `error` about c[0]: right before a dead point
+  std::optional<CurveBox> box;  ///< right before a dead point: only the values are enclosed
   std::vector<Coefficients> c;  ///< of each unknown
   std::vector<double> error, tube;
 

@@ -84,7 +84,7 @@ class CellProof {
 }  // namespace
 
 LoopCell LoopCell::between(double from, double to) {
-  LoopCell cell{from, to, from + (to - from) / 2, 0, false, {}, {}, {}};
+  LoopCell cell{from, to, from + (to - from) / 2, 0, {}, {}, {}, {}};
   cell.radius = std::max({to - cell.middle, cell.middle - from, 0x1p-900}) / share_of_disc;
   return cell;
 }

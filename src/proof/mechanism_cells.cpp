@@ -16,7 +16,14 @@ enum class CellKind : std::uint8_t { polynomials, before_dead_point };
 void write_cell(ByteWriter& out, const LoopCell& cell) {
   out.u8(static_cast<std::uint8_t>(cell.box ? CellKind::before_dead_point : CellKind::polynomials));
   out.f64(cell.to);
-  if (cell.box) return;
+  if (cell.box) {
+    out.u32(static_cast<std::uint32_t>(cell.box->parameter));
+    for (const auto& [lo, hi] : cell.box->ranges) {
+      out.f64(lo);
+      out.f64(hi);
+    }
+    return;
+  }
   for (const LoopCell::Coefficients& c : cell.c) {
     std::size_t terms = c.size();
     while (terms > 0 && c[terms - 1] == 0) --terms;
@@ -34,7 +41,7 @@ class CellReader {
     values_.assign(static_cast<std::size_t>(equations.unknowns), Ball<double>::exact(0));
     const LoopEquations approach = mechanism_.approach_equations();
     if (!mechanism_.approach.empty()) {
-      read_path({approach, 0, equations.unknowns}, mechanism_.approach, 0);
+      read_path({approach, 0, equations.unknowns}, mechanism_.approach, 0, false);
       const auto exactly = for_exact_drives({equations, 0, equations.unknowns}, mechanism_.start, values_);
       if (!exactly) throw ProofError("the beginning of the drives is not reached");
       values_ = *exactly;
@@ -43,7 +50,8 @@ class CellReader {
     double start = mechanism_.start;
     for (std::size_t piece = 0; piece < mechanism_.functions->pieces(); ++piece) {
       const std::vector<LoopCell>& own = mechanism_.functions->cells(piece);
-      all.push_back(read_path({equations, piece, equations.unknowns}, own, start));
+      const bool is_last = piece + 1 == mechanism_.functions->pieces();
+      all.push_back(read_path({equations, piece, equations.unknowns}, own, start, is_last));
       start = own.back().to;
     }
     return std::make_shared<const JointFunctions>(equations, std::move(all), mechanism_.functions->drawn_at());
@@ -51,7 +59,7 @@ class CellReader {
 
  private:
   /// From a time to where the path is known to end: there, the drives pass to another piece, or the mechanism locks.
-  std::vector<LoopCell> read_path(const LoopCurve& curve, const std::vector<LoopCell>& own, double from) {
+  std::vector<LoopCell> read_path(const LoopCurve& curve, const std::vector<LoopCell>& own, double from, bool is_last) {
     std::vector<LoopCell> cells;
     for (std::uint32_t left = in_.u32(); left > 0; --left) {
       checkpoint();
@@ -60,10 +68,10 @@ class CellReader {
       if (!(to > from || (to == from && own.front().from == own.back().to)) || !(to <= own.back().to))
         throw ProofError("a part of the time that makes no sense");
       if (kind == static_cast<std::uint8_t>(CellKind::before_dead_point)) {
-        // Nothing is stated of it: the verifier encloses the joints by itself.
-        if (left > 1 || !own.back().box || own.back().from != from || own.back().to != to)
-          throw ProofError("a cell before a dead point that is not there");
-        cells.push_back(own.back());
+        // Nothing can follow: of its end, only the box is known.
+        if (left > 1 || cells.empty() || !is_last)
+          throw ProofError("a cell before a dead point that is not the last one");
+        cells.push_back(read_box(curve, from, to));
       } else if (kind == static_cast<std::uint8_t>(CellKind::polynomials)) {
         cells.push_back(read_cell(curve, from, to));
       } else {
@@ -74,6 +82,20 @@ class CellReader {
     if (cells.empty() || cells.back().to != own.back().to)
       throw ProofError("the cells of the mechanism do not cover the time");
     return cells;
+  }
+
+  LoopCell read_box(const LoopCurve& curve, double from, double to) {
+    const std::uint32_t parameter = in_.u32();
+    if (parameter >= curve.size()) throw ProofError("a parameter that is no unknown");
+    CurveBox box{static_cast<int>(parameter), {}};
+    for (std::size_t i = 0; i <= curve.size(); ++i) {
+      const double lo = in_.f64(), hi = in_.f64();
+      if (!(-INFINITY < lo && lo < hi && hi < INFINITY)) throw ProofError("a range of a box that is none");
+      box.ranges.push_back({lo, hi});
+    }
+    if (!holds_motion(box, curve.equations, curve.piece, from, to, values_))
+      throw ProofError("the joints of the mechanism are not shown to stay in the box before a dead point");
+    return {from, to, from + (to - from) / 2, to - from, std::move(box), {}, {}, {}};
   }
 
   LoopCell read_cell(const LoopCurve& curve, double from, double to) {

@@ -13,16 +13,10 @@ using Moving = Series<double, 1>;
 
 class DeadPointSearch {
  public:
-  DeadPointSearch(const LoopEquations& equations, std::size_t piece, const LoopPath& path)
-      : path_(path), weights_(weights_of(equations)), curve_{equations, piece, fastest(path)} {
-    // In place of the parameter there is the time, in which a drive moves by its weight.
-    const std::vector<double> of_drives = weights_of_drives(equations);
-    const std::vector<Moving> rates = curve_.rates_at(Moving::constant(path.until));
-    double fastest = 0x1p-300;
-    for (std::size_t i = 0; i < rates.size(); ++i)
-      fastest = std::max(fastest, std::fabs(rates[i].c[0].mid) / of_drives[i]);
-    weights_[static_cast<std::size_t>(curve_.parameter)] = 1 / fastest;
-  }
+  DeadPointSearch(const LoopEquations& equations, std::size_t piece, const LoopPath& path, GapFrame seen)
+      : path_(path),
+        curve_{equations, piece, fastest(path, weights_of(equations)), seen},
+        weights_(weights_along(curve_, path.until)) {}
 
   std::optional<DeadPoint> find() const {
     const std::size_t p = static_cast<std::size_t>(curve_.parameter);
@@ -34,21 +28,21 @@ class DeadPointSearch {
     y[p] = path_.until;
     const auto turning = turning_point(y, first);
     if (!turning || !((*turning - first) * speed > 0)) return std::nullopt;
-    // As far beyond the turning point as the start is before it, and a little more.
-    const double beyond = *turning + (*turning - first);
+    // Farther beyond the turning point than the start is before it: the time is earlier there.
+    const double beyond = *turning + (*turning - first) * (1 + 0x1p-3);
     const double room = std::max(std::fabs(*turning - first) * 0x1p-3, 2 * path_.last[p].rad);
     const double before = first - std::copysign(room, *turning - first);
-    return prove(std::move(y), first, *turning, std::min(before, beyond), std::max(before, beyond));
+    return prove(std::move(y), *turning, std::min(before, beyond), std::max(before, beyond));
   }
 
  private:
   /// The unknown that changes fastest at the path's end.
-  int fastest(const LoopPath& path) const {
+  static int fastest(const LoopPath& path, const std::vector<double>& weights) {
     int best = 0;
     double most = -1;
     for (std::size_t i = 0; i < path.last.size(); ++i) {
       const double speed =
-          std::fabs(path.cells.back().about<1>(i, Ball<double>::exact(path.until)).c[1].mid) / weights_[i];
+          std::fabs(path.cells.back().about<1>(i, Ball<double>::exact(path.until)).c[1].mid) / weights[i];
       if (speed > most) {
         most = speed;
         best = static_cast<int>(i);
@@ -79,7 +73,7 @@ class DeadPointSearch {
 
   /// A tube about the curve for parameters from lo to hi, in which it goes on from the path's end, and in which the
   /// time has one maximum.
-  std::optional<DeadPoint> prove(std::vector<double> y, double first, double turning, double lo, double hi) const {
+  std::optional<DeadPoint> prove(std::vector<double> y, double turning, double lo, double hi) const {
     const std::size_t p = static_cast<std::size_t>(curve_.parameter), n = curve_.size();
     const auto inverse = newton(curve_, y, turning);
     if (!inverse) return std::nullopt;
@@ -88,7 +82,7 @@ class DeadPointSearch {
     const Ball<double> all = Ball<double>::between(lo, hi);
     Balls<double> middle;
     for (const double x : y) middle.push_back(Ball<double>::exact(x));
-    const std::vector<double> wrong = residual_over(middle, turning, all, *inverse);
+    const std::vector<double> wrong = residual_over(curve_, middle, turning, all, *inverse);
     Balls<double> tube = middle;
     double most = 0;
     for (std::size_t i = 0; i < n; ++i) most = std::max(most, wrong[i] / weights_[i]);
@@ -97,15 +91,14 @@ class DeadPointSearch {
     if (!(e.norm < 0.25)) return std::nullopt;
     std::vector<double> radii = e.closure(wrong);
     for (std::size_t i = 0; i < n; ++i) radii[i] = std::min(2 * radii[i], tube[i].rad);
-    const std::vector<double> inner = e.times(radii);
-    // The path's end is on the curve at some parameter, which has to be one of these.
-    if (!(path_.last[p].lower() >= lo && path_.last[p].upper() <= hi)) return std::nullopt;
+    CurveBox box{curve_.parameter, {}};
     for (std::size_t i = 0; i < n; ++i) {
       tube[i].rad = radii[i];
-      if (!(wrong[i] + inner[i] < radii[i])) return std::nullopt;
-      const Ball<double> from = i == p ? Ball<double>::exact(path_.until) : path_.last[i];
-      if (!((from - middle[i]).magnitude() < radii[i])) return std::nullopt;
+      box.ranges.push_back({tube[i].lower(), tube[i].upper()});
     }
+    box.ranges.push_back(box.ranges[p]);
+    box.ranges[p] = {lo, hi};
+    if (!holds_motion(box, curve_.equations, curve_.piece, path_.until, INFINITY, path_.last)) return std::nullopt;
     const auto over = series_of<double, 2>(curve_, tube, all, *inverse, weights_);
     const auto there = series_of<double, 2>(curve_, *at_turn, Ball<double>::exact(turning), *inverse, weights_);
     if (!over || !there) return std::nullopt;
@@ -116,38 +109,22 @@ class DeadPointSearch {
     if (!(slope.magnitude() < least * std::min(turning - lo, hi - turning))) return std::nullopt;
     const double gain = slope.magnitude() * slope.magnitude() / (2 * least) * (1 + 0x1p-40);
     const Ball<double> time = (*there)[p].c[0];
-    DeadPoint found{{time.lower(), std::nextafter(time.upper() + gain, INFINITY)}, {}};
-    for (std::size_t i = 0; i < n; ++i)
-      found.values.push_back(i == p ? Ball<double>::between(std::min(first, lo), std::max(first, hi)) : tube[i]);
-    return found;
-  }
-
-  /// |Y F| at constant y for all parameters, by the mean value theorem: Y F hardly changes with the parameter where y
-  /// does not.
-  std::vector<double> residual_over(const Balls<double>& y, double s, const Ball<double>& all,
-                                    const Square<double>& inverse) const {
-    std::vector<Moving> at;
-    for (const Ball<double>& x : y) at.push_back(Moving::constant(x));
-    Balls<double> slope;
-    for (const Moving& f : curve_.values(at, Moving::variable(all)))
-      slope.push_back(f.terms > 1 ? f.c[1] : Ball<double>::exact(0));
-    std::vector<double> wrong = magnitudes(product(inverse, values_of(curve_, y, Ball<double>::exact(s))));
-    const std::vector<double> rates = magnitudes(product(inverse, slope));
-    const double half = (all - Ball<double>::exact(s)).magnitude();
-    for (std::size_t i = 0; i < wrong.size(); ++i) wrong[i] = detail::inflate(wrong[i] + rates[i] * half);
-    return wrong;
+    return DeadPoint{{time.lower(), std::nextafter(time.upper() + gain, INFINITY)}, std::move(box)};
   }
 
   const LoopPath& path_;
-  std::vector<double> weights_;
   LoopCurve curve_;
+  std::vector<double> weights_;
 };
 
 }  // namespace
 
 std::optional<DeadPoint> dead_point_after(const LoopEquations& equations, std::size_t piece, const LoopPath& path) {
   if (path.cells.empty()) return std::nullopt;
-  return DeadPointSearch(equations, piece, path).find();
+  for (const GapFrame seen : {GapFrame::ground, GapFrame::turning}) {
+    if (auto found = DeadPointSearch(equations, piece, path, seen).find()) return found;
+  }
+  return std::nullopt;
 }
 
 namespace {

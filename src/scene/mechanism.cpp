@@ -186,7 +186,7 @@ class Assembly {
       MechanismLock found;
       found.time = dead->time;
       std::vector<double> values;
-      for (const Ball<double>& x : dead->values) values.push_back(x.mid);
+      for (std::size_t i = 0; i < path.last.size(); ++i) values.push_back(dead->box.range(i).mid);
       name(loose_parts(equations_, piece, dead->time[0], values), found);
       scene_.lock = found;
     }
@@ -202,13 +202,7 @@ class Assembly {
   /// Up to the end, or to the lock if it comes first, only the values are enclosed.
   LoopCell up_to_lock(const DeadPoint& dead, double from) const {
     const double to = scene_.end;
-    LoopCell rest{from, to, from + (to - from) / 2, to - from, true, {}, {}, {}};
-    for (const Ball<double>& x : dead.values) {
-      rest.c.push_back({x.mid});
-      rest.error.push_back(x.rad);
-      rest.tube.push_back(0);
-    }
-    return rest;
+    return {from, to, from + (to - from) / 2, to - from, dead.box, {}, {}, {}};
   }
 
   [[noreturn]] void fail_beginning(const LoopPath& path) const {

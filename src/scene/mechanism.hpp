@@ -61,11 +61,11 @@ struct TimedEquations {
 };
 TimedEquations loop_equations(const Scene& scene, const JointTree& tree);
 
-/// The dead point that a path ends before, or nothing if it cannot be shown to be one. `values` encloses the unknowns
-/// between the path's end and the dead point.
+/// The dead point that a path ends before, or nothing if it cannot be shown to be one. The box holds the motion from
+/// the path's end to there.
 struct DeadPoint {
   std::array<double, 2> time;
-  Balls<double> values;
+  CurveBox box;
 };
 std::optional<DeadPoint> dead_point_after(const LoopEquations& equations, std::size_t piece, const LoopPath& path);
 

@@ -9,6 +9,7 @@ from fractions import Fraction
 
 from balls import BITS, MINUTE, ONE, UNBOUNDED, ZERO, Undecided, add, between, exact, jconst, mul, sub, times
 from bodies import number
+from box_cells import BoxCell
 from loop_cells import Cell, Preconditioned, magnitude
 from joint_tree import Tree
 from linkage import Balls, Jets, Linkage, drive_jet
@@ -30,26 +31,27 @@ class Functions:
         last = [ZERO] * linkage.unknowns
         if any(linkage.begins):
             straight = [[Fraction(0), begin] for begin in linkage.begins]
-            _, last, _ = self.read_path(log, straight, 0.0, 1.0, last)
+            _, last, _ = self.read_path(log, straight, 0.0, 1.0, last, False)
         cells, t = [], start
         for drives, end in zip(linkage.paths, linkage.ends):
-            path, last, t = self.read_path(log, drives, t, end, last)
+            path, last, t = self.read_path(log, drives, t, end, last, True)
             cells.append(path)
-            if t < end or not last:
+            if t < end or last is None:  # The rest is left out: before a dead point only a box is known.
                 break
         if self.cells is None:
             self.cells, self.until = cells, t
         elif self.until != t:
             raise Undecided("up to when a mechanism is followed")
 
-    def read_path(self, log, drives, t, end, last):
-        linkage, cells = self.linkage, []
-        for _ in range(log.u32()):
+    def read_path(self, log, drives, t, end, last, may_lock):
+        linkage, cells, count = self.linkage, [], log.u32()
+        for k in range(count):
             kind, to = log.u8(), log.f64()
             require(kind <= 1, "a cell of an unknown kind")
             require(t < to <= end or t == to == end and not cells, "a part of the time that makes no sense")
-            if kind == 1:  # Nothing is stated of it, and nothing is found out here.
-                require(cells, "no cells")
+            if kind == 1:
+                require(cells and may_lock and k + 1 == count, "a cell before a dead point that is not the last one")
+                cells.append(self.proved_box(t, to, drives, log, last))
                 return cells, None, to
             given = []
             for _ in range(linkage.unknowns):
@@ -69,6 +71,18 @@ class Functions:
         if key not in self.known:
             cell = Cell(self.linkage, drives, t, to, given)
             cell.prove(self.linkage, last)
+            self.known[key] = cell
+        return self.known[key]
+
+    def proved_box(self, t, to, drives, log, last):
+        parameter = log.u32()
+        ranges = tuple((log.f64(), log.f64()) for _ in range(self.linkage.unknowns + 1))
+        require(parameter < self.linkage.unknowns, "a parameter that is no unknown")
+        require(all(-math.inf < lo < hi < math.inf for lo, hi in ranges), "a range of a box that is none")
+        key = ("box", t, to, tuple(map(tuple, drives)), parameter, ranges, tuple(last))
+        if key not in self.known:
+            cell = BoxCell(self.linkage, drives, t, to, parameter, ranges)
+            cell.prove(last)
             self.known[key] = cell
         return self.known[key]
 
@@ -127,6 +141,8 @@ class Functions:
     def solved(self, piece, t, drives):
         """At an instant, to all digits."""
         linkage, cell = self.linkage, self.cell_at(piece, t)
+        if isinstance(cell, BoxCell):
+            return cell.over(t, t)
         constant = [x[0] for x in drives]
         near = cell.value(Fraction(t, ONE))
         x = [v[0] for v in near]

@@ -18,7 +18,7 @@ from world import Scene
 # What a verifier says that knows no better, but does not know the contrary: its bounds are coarser.
 MAY_BE = ("is not known", "cannot be decided", "not separated", "does not stay within its box", "does not stay off",
           "not within its stretch of time", "does not keep the clearance", "do not keep the clearance",
-          "are not shown to follow", "do not cover the time")
+          "are not shown to", "do not cover the time")
 
 
 def difference(said, proved):

@@ -351,7 +351,8 @@ int write_all(const fs::path& root, int logs) {
       // A linkage that is drawn at a dead point, or locks before its drive begins.
     }
   };
-  for (const fs::path& folder : {root / "examples/mechanisms", root / "../shared/worlds", root / "examples/worlds"}) {
+  for (const fs::path& folder : {root / "tests/corpus/mechanisms", root / "examples/mechanisms",
+                                 root / "../shared/worlds", root / "examples/worlds"}) {
     if (!fs::exists(folder)) continue;
     std::vector<fs::path> files;
     for (const auto& entry : fs::directory_iterator(folder)) files.push_back(entry.path());
