@@ -8,7 +8,6 @@
 
 #include "scene/linkage.hpp"
 #include "scene/mechanism.hpp"
-#include "scene/mechanism_lock.hpp"
 #include "taut/error.hpp"
 
 namespace taut::internal {
@@ -153,7 +152,8 @@ class DrivenLinkage {
     } catch (const InputError& error) {
       throw InputError("mechanism: drive " + moved.name, error.problem(), reach_hint);
     }
-    if (ends_at_lock(scene) && scene.end < moved.hi) refuse_lock(moved, *scene.lock);
+    // At the other end of the range, it would lock on the way from the drawn pose to there.
+    if (scene.lock && scene.lock->time[0] <= moved.hi) refuse_lock(moved, *scene.lock);
     return scene;
   }
 

@@ -211,6 +211,51 @@ TEST(DrivenLinkage, NoWayPastABlock) {
   EXPECT_EQ(outcome(350), PathOutcome::none);
 }
 
+/// The driven joint's bodies change places, so that its values have the other sign.
+Linkage read_backwards(Linkage linkage) {
+  taut::Joint& range = linkage.joints[0];
+  range = taut::Joint{range.name, -range.hi, -range.lo};
+  for (MechanismJoint& joint : linkage.scene.mechanism->joints) {
+    if (joint.name == range.name) std::swap(joint.first, joint.second);
+  }
+  return linkage;
+}
+
+TEST(DrivenLinkage, RangesReadTheSameBackwards) {
+  Rng rng(77);
+  int accepted = 0, refused = 0;
+  for (std::uint64_t n = effort(100); n > 0; --n) {
+    const ClosedLinkage made(rng, rng.between(1, 2));
+    const Linkage given = with_range(with_large_bodies(rng, made));
+    const auto linkage = assembled_if_regular(given), other = assembled_if_regular(read_backwards(given));
+    ASSERT_EQ(linkage.has_value(), other.has_value()) << n;
+    ++(linkage ? accepted : refused);
+    if (!linkage) continue;
+    EXPECT_NEAR(envelope(*linkage).free, envelope(*other).free, 0.01) << n;
+  }
+  EXPECT_GT(accepted, static_cast<int>(enough(20)));
+  EXPECT_GT(refused, static_cast<int>(enough(20)));
+}
+
+/// Two bars of length 5 are straight where the slide between their ends has moved by 4, exactly.
+TEST(DrivenLinkage, RefusesADeadPointAtEitherEndOfARange) {
+  for (const auto& [to, moves] : {std::pair{4.0, false}, {3.999, true}, {4.001, false}}) {
+    Linkage linkage = parse_linkage(R"({"format":"taut-scene/1","bodies":[
+      {"name":"base","polygon":[[-9,-9],[20,-9],[20,-8]]},{"name":"a","polygon":[[0,0],[3,4],[0,1]],"z":[1,2]},
+      {"name":"b","polygon":[[3,4],[6,0],[6,1]],"z":[2,3]},{"name":"ram","polygon":[[6,0],[7,0],[6,1]],"z":[3,4]}],
+     "mechanism":{"ground":"base","joints":{
+      "A":{"revolute":["base","a"],"at":[0,0]},"B":{"revolute":["a","b"],"at":[3,4]},
+      "C":{"revolute":["b","ram"],"at":[6,0]},"S":{"slide":["base","ram"],"direction":[1,0]}},
+     "drive":{"S":[-1,3]}}})");
+    // As it was given.
+    for (Body& body : linkage.scene.bodies) body.relative_to.clear();
+    linkage.motions.clear();
+    linkage.joints[0] = taut::Joint{"S", -1, to};
+    EXPECT_EQ(assembled_if_regular(linkage).has_value(), moves) << to;
+    EXPECT_EQ(assembled_if_regular(read_backwards(linkage)).has_value(), moves) << to;
+  }
+}
+
 void expect_refused(const std::string& text, const std::string& message) {
   try {
     parse_linkage(text);
