@@ -14,18 +14,20 @@
 namespace taut::internal {
 namespace {
 
-/// Values with their rates over a ball of times.
-using Rate = Series<double, 1>;
+/// Values over a ball of times, with coefficients of their Taylor series.
+using Rate = Series<double, 3>;
 
-/// A bound, above or below, of the angle in degrees, at most 90, whose sine has this square.
-double angle_of_square(double square, bool above) {
+/// A bound, above or below, of the angle in degrees, from 0 to 90, with this sine.
+double angle_of_sine(double sine, bool above) {
+  if (above && sine >= 1) return 90;
+  if (!above && sine <= 0) return 0;
   double lo = 0, hi = 90;
   for (int k = 0; k < 80; ++k) {
     const double middle = lo + (hi - lo) / 2;
     if (!(lo < middle && middle < hi)) break;
     Series<double, 0> s, c;
     sin_cos_degrees(Series<double, 0>::constant(middle), s, c);
-    const int sign = (s.c[0] * s.c[0] - Ball<double>::exact(square)).sign();
+    const int sign = (s.c[0] - Ball<double>::exact(sine)).sign();
     // What is not certain is not left out.
     (sign < 0 || (sign == 0 && above) ? lo : hi) = middle;
   }
@@ -68,16 +70,22 @@ class LeastValue {
       checkpoint();
       const auto [a, b] = open.back();
       open.pop_back();
-      const Ball<double> t = Ball<double>::between(a, b);
-      const Rate over = function_(piece, t);
-      const Ball<double> slope = over.terms > 1 ? over.c[1] : Ball<double>::exact(0);
-      // The ends have been sampled.
-      if (slope.sign() != 0) continue;
+      const Rate over = function_(piece, Ball<double>::between(a, b));
       const double middle = a + (b - a) / 2;
-      const Ball<double> there = function_(piece, Ball<double>::exact(middle)).c[0];
-      const double least = std::max(over.c[0].lower(), (there + slope * Ball<double>(0, (b - a) / 2)).lower());
+      const Rate there = function_(piece, Ball<double>::exact(middle));
+      // Where values are differences of others, as angles are, the bounds over all of the time are wide, and those at
+      // an instant are not: so to third order.
+      const auto of = [](const Rate& f, int k) {
+        return k < f.terms ? f.c[static_cast<std::size_t>(k)] : Ball<double>::exact(0);
+      };
+      const Ball<double> h(0, detail::inflate(std::max(b - middle, middle - a))), last = of(over, 3);
+      const Ball<double> slope = of(there, 1) + h * (of(there, 2) * 2.0 + h * last * 3.0);
+      // The ends have been sampled.
+      if (of(over, 1).sign() != 0 || slope.sign() != 0) continue;
+      const Ball<double> value = there.c[0] + h * (of(there, 1) + h * (of(there, 2) + h * last));
+      const double least = std::max(over.c[0].lower(), value.lower());
       // Shorter times do not make values more certain than those at an instant.
-      const bool settled = least >= found_.hi - std::max(tolerance_, 8 * there.rad);
+      const bool settled = least >= found_.hi - std::max(tolerance_, 8 * there.c[0].rad);
       if (settled || !(a < middle && middle < b)) {
         lowest_ = std::min(lowest_, least);
         continue;
@@ -174,7 +182,41 @@ class MotionOfJoints {
     return joint.slide ? std::nullopt : std::optional(joint.at);
   }
 
-  /// The sine of the angle between the two links, squared, is monotone in the transmission angle.
+  struct Magnitudes {
+    Extreme least, greatest;
+  };
+
+  /// Of a function of time that is at most 1.
+  Magnitudes magnitudes(const Function& function) const {
+    const Extreme low = least(function, 1), high = greatest(function, 1);
+    const Extreme below{-low.hi, -low.lo, low.t};  // of the function's negative
+    const Extreme& more = below.hi > high.hi ? below : high;
+    Magnitudes out{{}, {std::max({below.lo, high.lo, 0.0}), more.hi, more.t}};
+    if (low.lo > 0) {
+      out.least = low;
+    } else if (high.hi < 0) {
+      out.least = {-high.hi, -high.lo, high.t};
+    } else if (low.hi < 0 && high.lo > 0) {
+      out.least = {0, 0, zero_between(function, low.t, high.t)};
+    } else {
+      const Extreme& nearest = low.hi >= 0 ? low : high;
+      out.least = {0, std::max(std::fabs(nearest.lo), std::fabs(nearest.hi)), nearest.t};
+    }
+    return out;
+  }
+
+  /// An instant near which a function is 0 that is negative at one time and positive at another.
+  double zero_between(const Function& function, double negative, double positive) const {
+    for (int k = 0; k < 60; ++k) {
+      const double middle = negative + (positive - negative) / 2;
+      if (middle == negative || middle == positive) break;
+      (function(piece_at(middle), Ball<double>::exact(middle)).c[0].mid < 0 ? negative : positive) = middle;
+    }
+    return positive;
+  }
+
+  /// Both the sine and the cosine of the angle between the two links are bounded: near 0, or 90 degrees, one of them
+  /// says far more than the other.
   std::optional<TransmissionAngle> transmission_of(std::size_t k) const {
     const LoopEquations::Closure& closure = equations().closures[k];
     const auto p = next_pin(closure.first, closure.second), q = next_pin(closure.second, closure.first);
@@ -186,26 +228,40 @@ class MotionOfJoints {
       return std::array{x - from_x, y - from_y};
     };
     const auto a = axis(*p), b = axis(*q);
-    const Ball<double> cross = a[0] * b[1] - a[1] * b[0], along = a[0] * b[0] + a[1] * b[1];
-    const Ball<double> lengths = (a[0] * a[0] + a[1] * a[1]) * (b[0] * b[0] + b[1] * b[1]);
-    const Function sine = [&](std::size_t piece, const Ball<double>& t) {
+    const Ball<double> lengths = sqrt((a[0] * a[0] + a[1] * a[1]) * (b[0] * b[0] + b[1] * b[1]));
+    const Ball<double> cross = (a[0] * b[1] - a[1] * b[0]) / lengths, along = (a[0] * b[0] + a[1] * b[1]) / lengths;
+    const auto turned = [&](std::size_t piece, const Ball<double>& t, const Ball<double>& by_sine,
+                            const Ball<double>& by_cosine) {
       Rate s, c;
       sin_cos_degrees(joint_value<Rate>(functions_, equations().joints.size() + k, piece, t), s, c);
-      const Rate height = c * cross + s * along;
-      return height * height * (Ball<double>::exact(1) / lengths);
+      return c * by_cosine + s * by_sine;
     };
-    const auto in_degrees = [](const Extreme& square) {
-      return Extreme{angle_of_square(square.lo, false), angle_of_square(square.hi, true), square.t};
+    const Magnitudes sine =
+        magnitudes([&](std::size_t piece, const Ball<double>& t) { return turned(piece, t, along, cross); });
+    const Magnitudes cosine =
+        magnitudes([&](std::size_t piece, const Ball<double>& t) { return turned(piece, t, -cross, along); });
+    const auto in_degrees = [](const Extreme& of_sine, const Extreme& of_cosine) {
+      const double down = std::nextafter(90 - angle_of_sine(of_cosine.hi, true), 0);
+      const double up = std::min(90.0, std::nextafter(90 - angle_of_sine(of_cosine.lo, false), INFINITY));
+      const double lo = std::max(angle_of_sine(of_sine.lo, false), down);
+      const double hi = std::min(angle_of_sine(of_sine.hi, true), up);
+      return Extreme{lo, hi, lo < 45 ? of_sine.t : of_cosine.t};
     };
     const MechanismJoint& joint = joints()[static_cast<std::size_t>(assembly_.tree.closures[k])];
-    return TransmissionAngle{
-        joint.name, {joint.first, joint.second}, in_degrees(least(sine, 1)), in_degrees(greatest(sine, 1))};
+    return TransmissionAngle{joint.name,
+                             {joint.first, joint.second},
+                             in_degrees(sine.least, cosine.greatest),
+                             in_degrees(sine.greatest, cosine.least)};
+  }
+
+  std::size_t piece_at(double t) const {
+    return static_cast<std::size_t>(
+        std::clamp<std::ptrdiff_t>(std::upper_bound(borders_.begin(), borders_.end(), t) - borders_.begin() - 1, 0,
+                                   static_cast<std::ptrdiff_t>(functions_.pieces()) - 1));
   }
 
   std::vector<std::array<double, 2>> values_at(double t) const {
-    const std::size_t piece = static_cast<std::size_t>(
-        std::clamp<std::ptrdiff_t>(std::upper_bound(borders_.begin(), borders_.end(), t) - borders_.begin() - 1, 0,
-                                   static_cast<std::ptrdiff_t>(functions_.pieces()) - 1));
+    const std::size_t piece = piece_at(t);
     std::vector<std::array<double, 2>> row;
     for (std::size_t j = 0; j < joints().size(); ++j) {
       const Ball<double> v = value(j, piece, Ball<double>::exact(t)).c[0];
