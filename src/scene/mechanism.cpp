@@ -52,7 +52,34 @@ class Assembly {
         fmt::format("{}: its mobility is {}, with {} joints, {} loops and {} couplings, and {} joints are driven",
                     problem, mobility_.mobility, mechanism().joints.size(), mobility_.loops,
                     mechanism().couplings.size(), mechanism().drives.size()),
-        "the number of driven joints must be the mobility" + candidate());
+        hint());
+  }
+
+  std::string hint() const {
+    const std::string link = link_without_length();
+    return link.empty() ? "the number of driven joints must be the mobility" + candidate() : link;
+  }
+
+  /// A link all of whose pins are at one place holds what it joins, or nothing: driving other joints is no help.
+  std::string link_without_length() const {
+    for (const JointTree::Link& link : tree_.links) {
+      const std::string& name = scene_.bodies[static_cast<std::size_t>(link.body)].name;
+      std::vector<const MechanismJoint*> own;
+      for (const MechanismJoint& joint : mechanism().joints) {
+        if (joint.first == name || joint.second == name) own.push_back(&joint);
+      }
+      const auto is_there = [&](const MechanismJoint* joint) {
+        return joint->kind == MechanismJoint::Kind::revolute && joint->at.x == own[0]->at.x &&
+               joint->at.y == own[0]->at.y;
+      };
+      if (own.size() > 1 && own[0]->name != own[1]->name && std::all_of(own.begin(), own.end(), is_there))
+        return fmt::format(
+            "link \"{}\" has no length, as its joints \"{}\" and \"{}\" are at one place: move one of them, or leave "
+            "the "
+            "link out and pin its neighbours to each other",
+            name, own[0]->name, own[1]->name);
+    }
+    return "";
   }
 
   /// A joint that could be driven as well, or that is driven in vain.

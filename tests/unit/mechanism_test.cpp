@@ -72,6 +72,9 @@ TEST(MechanismFile, CountsWhatIsDriven) {
   expect_error(R"({"A":{"from_deg":0,"to_deg":360}})",
                R"({"A":{"from_deg":0,"to_deg":9},"D":{"from_deg":0,"to_deg":9}})", "its mobility is 1");
   expect_error(R"("drive":)", R"("couple":[{"joint":"D","to":"B"}],"drive":)", "its mobility is 0");
+  // With both of its pins at one place, the coupler is no link: another drive is no help.
+  expect_error(R"(["coupler","rocker"],"at":[35,20])", R"(["coupler","rocker"],"at":[10,0])",
+               "hint: link \"coupler\" has no length, as its joints \"B\" and \"C\" are at one place");
   // Without C, coupler and rocker swing freely.
   expect_error(R"("C":{"revolute":["coupler","rocker"],"at":[35,20]},)", "", "its mobility is 3");
 }
@@ -105,6 +108,36 @@ TEST(MechanismFile, IsWrittenAsItIsRead) {
         EXPECT_EQ(a[k].axis, b[k].axis) << t;
       }
     }
+  }
+}
+
+/// Five bars, and a motor at each end: the pin between the two others is where two circles meet.
+TEST(MechanismFile, FollowsTwoMotors) {
+  const Scene scene = parse_scene(R"({"format":"taut-scene/1","time":[0,1],"bodies":[
+    {"name":"base","polygon":[[-9,-9],[0,-9],[0,-8]]},
+    {"name":"a","polygon":[[0,0],[3,4],[0,1]],"z":[1,2]},{"name":"b","polygon":[[3,4],[6,12],[5,12]],"z":[2,3]},
+    {"name":"c","polygon":[[6,12],[15,4],[14,4]],"z":[3,4]},{"name":"d","polygon":[[12,0],[15,4],[13,0]],"z":[4,5]}],
+   "mechanism":{"ground":"base","joints":{
+    "A":{"revolute":["base","a"],"at":[0,0]},"B":{"revolute":["a","b"],"at":[3,4]},
+    "C":{"revolute":["b","c"],"at":[6,12]},"D":{"revolute":["d","c"],"at":[15,4]},
+    "E":{"revolute":["base","d"],"at":[12,0]}},
+   "drive":{"A":{"from_deg":0,"to_deg":70},"E":{"from_deg":0,"to_deg":-50}}}})");
+  EXPECT_FALSE(scene.lock);
+  EXPECT_EQ(check(scene).outcome, Outcome::free);
+  for (const double t : {0.0, 0.25, 0.5, 1.0}) {
+    const auto turned = [](double x, double y, double degrees) {
+      const double w = degrees * std::acos(-1) / 180;
+      return Point{x * std::cos(w) - y * std::sin(w), x * std::sin(w) + y * std::cos(w)};
+    };
+    const Point b = turned(3, 4, 70 * t), arm = turned(3, 4, -50 * t), d{12 + arm.x, arm.y};
+    // C is off B by the square root of 73, off D by that of 145, and on the left of the way from D to B.
+    const Point way{b.x - d.x, b.y - d.y};
+    const double square = way.x * way.x + way.y * way.y, along = (square + 145 - 73) / (2 * square);
+    const double up = -std::sqrt(145 / square - along * along);
+    const Point c{d.x + along * way.x - up * way.y, d.y + along * way.y + up * way.x};
+    const BodyPose pose = poses_at(scene, t)[2];
+    EXPECT_NEAR(pose.origin.x + pose.axis.x * 6 - pose.axis.y * 12, c.x, 1e-12) << t;
+    EXPECT_NEAR(pose.origin.y + pose.axis.y * 6 + pose.axis.x * 12, c.y, 1e-12) << t;
   }
 }
 
