@@ -111,6 +111,38 @@ TEST(MechanismFile, IsWrittenAsItIsRead) {
   }
 }
 
+/// A crank and a coupler of length 5, whose slider passes the crank's pivot where the crank is square to the slide.
+TEST(MechanismFile, SeesTheChangePointOfASlider) {
+  const auto scene = [](const std::string& crank, const std::string& slide, const std::string& end, double degrees) {
+    return parse_scene(R"({"format":"taut-scene/1","time":[0,1],"bodies":[
+      {"name":"base","polygon":[[-9,-9],[20,-9],[20,-8]]},{"name":"a","polygon":[[0,0],[3,4],[0,1]],"z":[1,2]},
+      {"name":"b","polygon":[[3,4],[6,0],[6,1]],"z":[2,3]},{"name":"c","polygon":[[6,0],[7,0],[6,1]],"z":[3,4]}],
+     "mechanism":{"ground":"base","joints":{
+      "A":{"revolute":)" +
+                       crank + R"(,"at":[0,0]},"B":{"revolute":["a","b"],"at":[3,4]},
+      "C":{"revolute":["b","c"],"at":)" +
+                       end + R"(},"S":{"slide":)" + slide + R"(,"direction":[-2,0]}},
+     "drive":{"A":{"from_deg":0,"to_deg":)" +
+                       std::to_string(degrees) + "}}}}");
+  };
+  const double turn = 90 - std::atan2(4, 3) * 180 / std::acos(-1);
+  for (const char* slide : {R"(["base","c"])", R"(["c","base"])"}) {
+    for (const bool backwards : {false, true}) {
+      const Scene locked =
+          backwards ? scene(R"(["a","base"])", slide, "[6,0]", -60) : scene(R"(["base","a"])", slide, "[6,0]", 60);
+      ASSERT_TRUE(locked.lock);
+      EXPECT_EQ(locked.lock->kind, MechanismLock::Kind::change_point);
+      EXPECT_NEAR(locked.lock->time[0], turn / 60, 1e-12);
+      EXPECT_NEAR(locked.lock->time[1], turn / 60, 1e-12);
+    }
+  }
+  // Where the coupler is shorter, or the slide passes beside the pivot, it is none.
+  for (const char* end : {"[5.875,0]", "[6,0.0625]"}) {
+    const Scene other = scene(R"(["base","a"])", R"(["base","c"])", end, 60);
+    EXPECT_TRUE(!other.lock || other.lock->kind == MechanismLock::Kind::dead_point) << end;
+  }
+}
+
 /// Five bars, and a motor at each end: the pin between the two others is where two circles meet.
 TEST(MechanismFile, FollowsTwoMotors) {
   const Scene scene = parse_scene(R"({"format":"taut-scene/1","time":[0,1],"bodies":[
