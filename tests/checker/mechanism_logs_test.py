@@ -47,7 +47,7 @@ def judged(taut, file, touch, folder):
     said = json.loads(done.stdout)
     with open(file, encoding="utf-8") as f:
         scene = Scene(json.load(f))
-    if wrong_derivatives(scene.mechanism.linkage):
+    if scene.mechanism and wrong_derivatives(scene.mechanism.linkage):
         return "derivatives are not those of the equations"
     proved, reason, _ = check(scene, data, {})
     if not proved:
