@@ -193,7 +193,7 @@ std::optional<proof::Barrier> barrier_of_log(const path::JointSpace& space, cons
       written.kind = proof::BarrierEdge::Kind::outside;
     } else {
       if (!is_exact(edge.common[0]) || !is_exact(edge.common[1])) return std::nullopt;
-      const path::ExactVector& offset = path::slides_of(space.linkage(), (*edge.bodies)[0])->offset;
+      const path::ExactVector offset = path::slides_of(space.linkage(), (*edge.bodies)[0])->offset;
       written.body = static_cast<std::uint32_t>((*edge.bodies)[0]);
       written.other = static_cast<std::uint32_t>((*edge.bodies)[1]);
       for (std::size_t i = 0; i < 2; ++i)
