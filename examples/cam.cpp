@@ -13,7 +13,7 @@ int main() {
   options.contacts = true;
   const taut::FollowAnswer answer = taut::follow(scene, 1, {0, 1}, 10, options);
   for (const taut::FollowStretch& s : answer.contacts) {
-    std::cout << s.time.lo << ' ' << taut::name_of(s.state) << (s.jumps ? ", it falls" : "");
+    std::cout << s.time.lo << ' ' << taut::to_string(s.state) << (s.jumps ? ", it falls" : "");
     if (s.state == taut::FollowState::carried) std::cout << ": " << taut::contact_text(scene, s.contacts[0]);
     std::cout << '\n';
   }

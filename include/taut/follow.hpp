@@ -75,8 +75,8 @@ struct FollowAnswer {
 /// stretches of the scene's time it comes down evenly, from `reach` to 0 along the direction, which may have any length
 /// but 0 and is seen from its parent if it has one, and where it meets another body is an instant and a lift: both
 /// enclosed, for the motions as they are given. Where it meets none there is no entry: at the end of that stretch the
-/// lift is 0 or less. Each time it is also proved that nothing stood in its way from `reach`
-/// down to there at that instant, up to rounding; what passes over it while it comes down is met later in the stretch.
+/// lift is 0 or less. Each time it is also proved that nothing stood in its way from `reach` down to there at that
+/// instant, up to rounding; what passes over it while it comes down is met later in the stretch.
 /// Assumes that a spring presses the follower onto the cam at all times. What touches only between two instants is not
 /// among the lifts.
 ///
@@ -97,12 +97,11 @@ Point direction_of(double degrees);
 
 /// {"body": name, "instants": n, "lifts": [{"t": [lo, hi], "lift": [lo, hi], "vertex": {...}, "edge": {...}}, ...]},
 /// with what was tested and, if some of the time is undecided, "undecided" and "reason", on one line.
-/// With contacts, also "tolerance" and "contacts": [{"t": [from, to], "state": "carried", "lift": [lo, hi], "touching":
-/// [
-/// {"vertex": {...}, "edge": {...}}, ...]}, ...]; a change has "once" and "jumps", where they are true.
+/// With contacts, also "tolerance" and "contacts": [{"t": [from, to], "state": "carried", "lift": [lo, hi],
+/// "touching": [{"vertex": {...}, "edge": {...}}, ...]}, ...]; a change has "once" and "jumps", where they are true.
 std::string follow_json(const Scene& scene, BodyId follower, const FollowOptions& options, const FollowAnswer& answer);
 /// "carried", "low", "change" or "open".
-const char* name_of(FollowState state);
+const char* to_string(FollowState state);
 /// "cam 2 on plate 0": vertex 2 of the cam on edge 0 of the plate.
 std::string contact_text(const Scene& scene, const FollowContact& contact);
 /// A table with the columns t_lo, t_hi, lift_lo and lift_hi.

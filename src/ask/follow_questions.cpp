@@ -21,7 +21,7 @@ void write_contact(io::AnswerWriter& json, const FollowContact& contact) {
 void write_stretch(io::AnswerWriter& json, const FollowStretch& stretch) {
   json.object([&] {
     json.time("t", stretch.time);
-    json.member("state", name_of(stretch.state));
+    json.member("state", to_string(stretch.state));
     json.key("lift").numbers({stretch.lift[0], stretch.lift[1]});
     if (stretch.once) json.member("once", true);
     if (stretch.jumps) json.member("jumps", true);
@@ -29,7 +29,7 @@ void write_stretch(io::AnswerWriter& json, const FollowStretch& stretch) {
   });
 }
 
-/// "plate 0", or "plate part 1 hole 0: 3" where there are several rings.
+/// "plate 0", or "plate part 1 hole 0 3" where there are several rings.
 template <class Ref>
 std::string feature_text(const Scene& scene, const Ref& ref) {
   const Body& body = scene.bodies[static_cast<std::size_t>(ref.body)];
@@ -39,17 +39,9 @@ std::string feature_text(const Scene& scene, const Ref& ref) {
   return fmt::format("{} {}", text, ref.index);
 }
 
-/// A name in a table: in quotes where it would end the column.
-std::string table_cell(const std::string& text) {
-  if (text.find_first_of("\",\n") == std::string::npos) return text;
-  std::string all = "\"";
-  for (const char c : text) all += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return all + "\"";
-}
-
 }  // namespace
 
-const char* name_of(FollowState state) {
+const char* to_string(FollowState state) {
   constexpr const char* names[] = {"carried", "low", "change", "open"};
   return names[static_cast<std::size_t>(state)];
 }
@@ -101,8 +93,8 @@ std::string follow_contacts_csv(const Scene& scene, const FollowAnswer& answer) 
     for (const FollowContact& contact : s.contacts)
       touching += (touching.empty() ? "" : "; ") + contact_text(scene, contact);
     text += fmt::format("{},{},{},{},{},{},{},{}\n", io::number_text(s.time.lo), io::number_text(s.time.hi),
-                        name_of(s.state), io::number_text(s.lift[0]), io::number_text(s.lift[1]), s.once ? 1 : 0,
-                        s.jumps ? 1 : 0, table_cell(touching));
+                        to_string(s.state), io::number_text(s.lift[0]), io::number_text(s.lift[1]), s.once ? 1 : 0,
+                        s.jumps ? 1 : 0, io::csv_field(touching));
   }
   return text;
 }

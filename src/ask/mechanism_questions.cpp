@@ -66,15 +66,9 @@ std::string mechanism_json(const Scene& scene, const MechanismMotion& answer) {
 }
 
 std::string mechanism_csv(const Scene& scene, const MechanismMotion& answer) {
-  const auto quoted = [](const std::string& name) {
-    if (name.find_first_of(",\"\n") == name.npos) return name;
-    std::string s = "\"";
-    for (const char c : name) s += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return s + "\"";
-  };
   std::string text = "t";
   for (const MechanismJoint& joint : scene.mechanism->joints)
-    text += "," + quoted(joint.name + " lo") + "," + quoted(joint.name + " hi");
+    text += "," + io::csv_field(joint.name + " lo") + "," + io::csv_field(joint.name + " hi");
   text += "\n";
   for (std::size_t i = 0; i < answer.instants.size(); ++i) {
     text += io::number_text(answer.instants[i]);

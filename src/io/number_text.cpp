@@ -67,6 +67,13 @@ std::optional<double> scan_number(const std::string& text, std::size_t* position
   return std::strtod(number.c_str(), nullptr);
 }
 
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string s = "\"";
+  for (const char c : text) s += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return s + "\"";
+}
+
 std::string heights_text(const Layers& z) {
   if (z == Layers{}) return "all layers";
   const auto end = [](double height) { return std::isfinite(height) ? number_text(height) : std::string(); };

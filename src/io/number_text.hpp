@@ -1,4 +1,4 @@
-// Numbers and heights as text.
+// Numbers, heights, and fields of tables as text.
 #pragma once
 
 #include <cstddef>
@@ -19,6 +19,9 @@ std::string instant_text(double t, double start, double end, int usual);
 /// Reads a decimal number that starts at `*position` and moves `*position` behind it. Empty (and nothing moves) if
 /// there is none. The result may be infinite if the decimal is too large.
 std::optional<double> scan_number(const std::string& text, std::size_t* position);
+
+/// A field of comma-separated values: in quotes where it has to be.
+std::string csv_field(const std::string& text);
 
 /// "z 0..3", "z 3.." where there is no upper end, or "all layers".
 std::string heights_text(const Layers& z);

@@ -4,23 +4,11 @@
 
 namespace taut {
 using namespace internal;
-namespace {
-
-/// Quoted where it has to be.
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string s = "\"";
-  for (const char c : text) s += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return s + "\"";
-}
-
-}  // namespace
-
 std::string profile_csv(const Scene& scene, const DistanceProfile& answer) {
   std::string s = "first,second,t,lo,hi,until_lo,until_hi\n";
   for (const DistanceCurve& c : answer.curves) {
     const auto name = [&](std::size_t i) {
-      return c.pair ? csv_field(scene.bodies[static_cast<std::size_t>((*c.pair)[i])].name) : std::string();
+      return c.pair ? io::csv_field(scene.bodies[static_cast<std::size_t>((*c.pair)[i])].name) : std::string();
     };
     const std::string pair = name(0) + "," + name(1) + ",";
     for (std::size_t k = 0; k < c.instants.size(); ++k) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "numeric/budget.hpp"
 #include "path/path_search.hpp"
@@ -107,9 +108,15 @@ void search(const PathProblem& problem, const PathOptions& options, const OnNone
   require_free(problem, options, space, checker, problem.start, "start");
   if (const auto goal = Goal(problem, space).only()) require_free(problem, options, space, checker, *goal, "goal");
   if (decide_translation(problem, options, space, checker, on_none.barrier, answer)) return;
+  // There is no way, but that is to be proved otherwise.
+  const bool blocked = std::exchange(answer.exact, false);
   PathSearch cells(problem, options, space, checker);
   try {
     cells.run(answer);
+    if (blocked && answer.outcome != PathOutcome::none) {
+      answer.reason = "exact signs show that there is no way, but no proof was found that the verifier accepts";
+      answer.tight.reset();
+    }
     if (on_none.cells && answer.outcome == PathOutcome::none) on_none.cells(space, cells.tree());
     if (options.shortest && answer.outcome == PathOutcome::path)
       shorten(problem, options, space, checker, cells.tree(), answer);

@@ -308,7 +308,6 @@ bool decide_translation(const PathProblem& problem, const PathOptions& options, 
     const auto barrier = translation->barrier(options.touch == Touch::closed);
     if (barrier && on_barrier(space, *barrier)) return true;
     answer.outcome = PathOutcome::undecided;
-    answer.exact = false;
     return false;
   }
   const auto accept = [&](const std::vector<JointValues>& way) {

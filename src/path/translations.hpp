@@ -14,7 +14,8 @@ using OnBarrier = std::function<bool(const JointSpace& space, const Barrier& bar
 
 /// Sets the answer if the problem is of this kind, and can be decided here: one joint, or two in directions that are
 /// not parallel, slide all that moves in the same way, and no clearance is asked for. Goals may be of any kind. False
-/// if it is left to the search by cells.
+/// if it is left to the search by cells: also where there is no way, but `on_barrier` is given and nothing is found
+/// that it accepts. Then the answer is `exact` already, and what cells say is a proof, or none.
 ///
 /// Each pair of convex pieces of what moves and what does not forbids an open convex polygon of displacements, their
 /// Minkowski sum. A shortest way among such polygons turns at their vertices only, and ends at a vertex of the goal, at

@@ -136,8 +136,7 @@ class ChangePointSearch {
   ChangePointSearch(const LoopEquations& equations, std::size_t piece, const TurningVectors& vectors)
       : curve_{equations, piece, equations.unknowns}, vectors_(vectors) {}
 
-  /// The instant after `from`, at the latest at `end`, at which the vectors are
-  /// in line.
+  /// The instant after `from`, at the latest at `end`, at which the vectors are in line.
   std::optional<std::array<double, 2>> find(double from, double end) const {
     const int before = cross(Ball<double>::exact(from)).c[0].sign();
     if (before == 0) return std::nullopt;

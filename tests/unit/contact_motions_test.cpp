@@ -163,7 +163,7 @@ std::vector<FollowStretch> contacts_of(const Scene& scene, BodyId follower, Touc
 
 std::string states_of(const std::vector<FollowStretch>& contacts) {
   std::string text;
-  for (const FollowStretch& s : contacts) text += name_of(s.state)[0];
+  for (const FollowStretch& s : contacts) text += to_string(s.state)[0];
   return text;
 }
 
