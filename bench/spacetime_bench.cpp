@@ -6,8 +6,8 @@
 
 #include "bench.hpp"
 #include "families.hpp"
-#include "motion/make_segments.hpp"
 #include "motion/motion_segment.hpp"
+#include "motion/motion_segments.hpp"
 #include "motion/pieces.hpp"
 #include "scene/body_pair.hpp"
 #include "spacetime/first_contact.hpp"

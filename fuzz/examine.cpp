@@ -3,7 +3,7 @@
 #include <cctype>
 #include <sstream>
 
-#include "io/json_text.hpp"
+#include "io/json_writer.hpp"
 #include "numeric/budget.hpp"
 #include "numeric/errors.hpp"
 #include "replan.hpp"

@@ -14,10 +14,8 @@ from pathlib import Path
 # What the verifier derives by rules of its own: which pairs are tested, boxes around moving bodies, pieces of curves, how
 # bodies follow joints.
 own_rules = """
-    scene/instance.hpp scene/changing_boxes.hpp scene/free_cells.hpp scene/meeting_boxes.hpp
-    scene/near_stretches.hpp scene/pairs_in_reach.hpp scene/swept_box.hpp
-    geometry/band.hpp geometry/banded_part.hpp geometry/cell.hpp geometry/flat_part.hpp geometry/nesting.hpp
-    geometry/piece.hpp geometry/wide.hpp scene/linkage.hpp
+    scene/instance.hpp scene/free_cells.hpp scene/meeting_boxes.hpp scene/linkage.hpp
+    geometry/band.hpp geometry/cell.hpp geometry/part_rings.hpp geometry/piece.hpp
 """.split()
 
 

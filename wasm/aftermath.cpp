@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "elastic.hpp"
-#include "io/json_text.hpp"
 #include "io/json_writer.hpp"
 #include "taut/contact_motions.hpp"
 #include "taut/error.hpp"

@@ -6,7 +6,6 @@
 #include <string>
 
 #include "numeric/budget.hpp"
-#include "numeric/progress.hpp"
 #include "replies.hpp"
 #include "taut/ask.hpp"
 

@@ -7,7 +7,7 @@
 
 #include "ask/question.hpp"
 #include "import/import.hpp"
-#include "io/json_text.hpp"
+#include "io/json_writer.hpp"
 #include "replies.hpp"
 #include "taut/error.hpp"
 #include "taut/io.hpp"

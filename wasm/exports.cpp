@@ -7,7 +7,7 @@
 
 #include "aftermath.hpp"
 #include "import/import.hpp"
-#include "io/json_text.hpp"
+#include "io/json_writer.hpp"
 #include "numeric/budget.hpp"
 #include "problem.hpp"
 #include "recording.hpp"

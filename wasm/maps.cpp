@@ -9,7 +9,7 @@
 
 #include "ask/map_answer.hpp"
 #include "ask/question.hpp"
-#include "io/json_text.hpp"
+#include "io/json_writer.hpp"
 #include "numeric/budget.hpp"
 #include "replies.hpp"
 #include "taut/error.hpp"

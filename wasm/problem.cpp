@@ -1,6 +1,5 @@
 #include "problem.hpp"
 
-#include "io/json_text.hpp"
 #include "io/json_writer.hpp"
 #include "io/linked_bodies.hpp"
 #include "taut/io.hpp"

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "io/json_text.hpp"
+#include "io/json_writer.hpp"
 #include "numeric/budget.hpp"
 #include "taut/error.hpp"
 

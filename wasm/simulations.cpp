@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "ask/question.hpp"
-#include "io/answer_json.hpp"
 #include "io/answer_writer.hpp"
 #include "replies.hpp"
 #include "taut/contact_motions.hpp"

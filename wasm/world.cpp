@@ -4,10 +4,9 @@
 #include <cmath>
 #include <utility>
 
-#include "draw/joint_marks.hpp"
+#include "draw/world_marks.hpp"
 #include "draw/world_shapes.hpp"
-#include "draw/world_tilings.hpp"
-#include "io/json_text.hpp"
+#include "io/json_writer.hpp"
 #include "numeric/budget.hpp"
 #include "query/curved_questions.hpp"
 #include "taut/io.hpp"

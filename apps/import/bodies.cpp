@@ -7,8 +7,7 @@
 #include <iterator>
 #include <utility>
 
-#include "geometry/part_validation.hpp"
-#include "geometry/touching_rings.hpp"
+#include "geometry/part_rings.hpp"
 #include "import/body_text.hpp"
 #include "import/heights.hpp"
 #include "import/kept_curves.hpp"

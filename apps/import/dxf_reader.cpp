@@ -15,7 +15,7 @@
 #include "import/text_encoding.hpp"
 #include "io/number_text.hpp"
 #include "io/text_file.hpp"
-#include "numeric/progress.hpp"
+#include "numeric/budget.hpp"
 #include "taut/error.hpp"
 
 namespace taut::drawing {

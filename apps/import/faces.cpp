@@ -7,8 +7,8 @@
 #include <set>
 #include <utility>
 
+#include "geometry/part_rings.hpp"
 #include "geometry/predicates.hpp"
-#include "geometry/touching_rings.hpp"
 #include "import/crossing_contours.hpp"
 
 namespace taut::drawing {

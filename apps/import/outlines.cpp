@@ -6,12 +6,12 @@
 #include <set>
 #include <utility>
 
+#include "geometry/part_rings.hpp"
 #include "geometry/predicates.hpp"
 #include "geometry/segment_strips.hpp"
-#include "geometry/touching_rings.hpp"
 #include "import/closed_pieces.hpp"
 #include "import/contours.hpp"
-#include "numeric/progress.hpp"
+#include "numeric/budget.hpp"
 
 namespace taut::drawing {
 using namespace internal;

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "import/import.hpp"
-#include "io/json_text.hpp"
+#include "io/json_writer.hpp"
 #include "io/number_text.hpp"
 #include "io/text_file.hpp"
 

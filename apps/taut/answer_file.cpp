@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "commands.hpp"
-#include "io/json_text.hpp"
+#include "io/json_writer.hpp"
 #include "io/number_text.hpp"
 #include "io/text_file.hpp"
 #include "scene_argument.hpp"

@@ -8,7 +8,7 @@
 #include "commands.hpp"
 #include "feature_text.hpp"
 #include "interrupt.hpp"
-#include "io/answer_json.hpp"
+#include "io/answer_writer.hpp"
 #include "margin_report.hpp"
 #include "report.hpp"
 #include "taut/check.hpp"

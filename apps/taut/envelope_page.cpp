@@ -1,7 +1,7 @@
 #include "envelope_page.hpp"
 
 #include "draw/world_shapes.hpp"
-#include "io/json_text.hpp"
+#include "io/json_writer.hpp"
 #include "io/linked_bodies.hpp"
 #include "taut/io.hpp"
 #include "viewer_page.hpp"

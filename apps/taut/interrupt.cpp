@@ -2,7 +2,7 @@
 
 #include <csignal>
 
-#include "io/atomic_file.hpp"
+#include "io/text_file.hpp"
 
 namespace taut::cli {
 using namespace internal;

@@ -5,10 +5,10 @@
 
 #include "commands.hpp"
 #include "interrupt.hpp"
-#include "io/answer_json.hpp"
-#include "io/atomic_file.hpp"
+#include "io/answer_writer.hpp"
 #include "io/number_text.hpp"
 #include "io/terminal_text.hpp"
+#include "io/text_file.hpp"
 #include "margin_report.hpp"
 #include "path_report.hpp"
 #include "report.hpp"

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "commands.hpp"
-#include "io/json_text.hpp"
+#include "io/json_writer.hpp"
 #include "taut/error.hpp"
 #include "taut/io.hpp"
 #include "taut/separator.hpp"

@@ -5,7 +5,7 @@
 #include <system_error>
 #include <vector>
 
-#include "io/json_text.hpp"
+#include "io/json_writer.hpp"
 #include "io/platform.hpp"
 #include "io/text_file.hpp"
 #include "scene_argument.hpp"

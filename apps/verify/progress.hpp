@@ -7,7 +7,7 @@
 #include <string>
 #include <thread>
 
-#include "numeric/progress.hpp"
+#include "numeric/budget.hpp"
 #include "taut/scene.hpp"
 
 namespace taut::cli {

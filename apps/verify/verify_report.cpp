@@ -8,8 +8,8 @@
 
 #include "coverage_text.hpp"
 #include "feature_text.hpp"
-#include "io/answer_json.hpp"
-#include "io/json_text.hpp"
+#include "io/answer_writer.hpp"
+#include "io/json_writer.hpp"
 #include "io/platform.hpp"
 #include "io/text_file.hpp"
 #include "numeric/budget.hpp"

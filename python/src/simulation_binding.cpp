@@ -16,7 +16,7 @@
 
 #include "attended.hpp"
 #include "bindings.hpp"
-#include "io/answer_json.hpp"
+#include "io/answer_writer.hpp"
 #include "scene_text.hpp"
 #include "taut/contact_motions.hpp"
 #include "taut/io.hpp"

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "ask/question.hpp"
-#include "io/json_text.hpp"
 #include "io/json_writer.hpp"
 #include "taut/error.hpp"
 #include "taut/io.hpp"

@@ -2,7 +2,7 @@
 #include "ask/question.hpp"
 
 #include "io/answer_writer.hpp"
-#include "io/json_text.hpp"
+#include "io/json_writer.hpp"
 #include "taut/clearance.hpp"
 
 namespace taut::internal {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "io/json_numbers.hpp"
-#include "io/json_text.hpp"
+#include "io/json_object.hpp"
+#include "io/json_writer.hpp"
 #include "io/number_text.hpp"
 #include "taut/error.hpp"
 

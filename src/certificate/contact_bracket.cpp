@@ -6,7 +6,7 @@
 
 #include "certificate/fast_function.hpp"
 #include "certificate/precise_triple.hpp"
-#include "numeric/first_decisive.hpp"
+#include "numeric/stages.hpp"
 
 namespace taut::internal {
 namespace {

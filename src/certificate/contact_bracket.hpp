@@ -1,13 +1,25 @@
 // The time of a contact, stated so that it holds for the bodies as given.
 #pragma once
 
-#include <functional>
+#include <optional>
 
-#include "certificate/found_contact.hpp"
+#include "certificate/precise_time.hpp"
+#include "geometry/ids.hpp"
 #include "scene/body_pair.hpp"
 #include "taut/check.hpp"
 
 namespace taut::internal {
+
+// A contact found by an engine, in the engine's own terms.
+
+/// A vertex that is on an edge of the other polygon, and the time. The edge is given by its first vertex,
+/// counterclockwise, and the time by an enclosure of the segment's parameter.
+struct FoundContact {
+  VertexId vertex, edge;
+  double lo = 0, hi = 0;
+  /// A tighter enclosure of this instant alone, if doubles do not distinguish it from others in [lo, hi].
+  std::optional<PreciseTime> at = {};
+};
 
 /// An enclosure of the segment's parameter, for displaced bodies or for the given ones. Passage: does the vertex come
 /// to the edge from outside, or leave it to the outside?

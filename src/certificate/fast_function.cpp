@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "certificate/vanishing.hpp"
+#include "certificate/certificate_function.hpp"
 
 namespace taut::internal {
 namespace {

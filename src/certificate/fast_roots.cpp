@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "certificate/fast_line.hpp"
+#include "certificate/exact_line.hpp"
 #include "certificate/instant.hpp"
 #include "numeric/quadratic_bound.hpp"
 

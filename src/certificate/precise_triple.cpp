@@ -6,8 +6,8 @@
 #include "certificate/precise_root.hpp"
 #include "geometry/displacement.hpp"
 #include "numeric/errors.hpp"
-#include "numeric/first_decisive.hpp"
 #include "numeric/root_isolation.hpp"
+#include "numeric/stages.hpp"
 #include "scene/placement.hpp"
 
 namespace taut::internal {

@@ -4,13 +4,42 @@
 #include <optional>
 
 #include "certificate/exact_line.hpp"
-#include "certificate/frame_memory.hpp"
+#include "certificate/fixed_point_expansion.hpp"
 #include "certificate/precise_function.hpp"
 #include "certificate/precise_time.hpp"
+#include "certificate/taylor_frames.hpp"
 #include "numeric/errors.hpp"
 #include "numeric/root_isolation.hpp"
+#include "numeric/stages.hpp"
 
 namespace taut::internal {
+
+// Data shared by the signs and roots of one segment.
+
+/// Cached data of one segment's frame functions, and counts of the stages that decided, also on earlier segments.
+struct FrameMemory {
+  FrameExpansionCache expansions;
+  ExpansionCache functions;
+  TaylorFrames models;
+  StageCounts stages;
+
+  /// Makes room for the needs of events at one instant.
+  void reserve_expansions() {
+    expansions.reserve();
+    functions.reserve();
+  }
+  /// Gives the room back, for others in this thread to use.
+  void release() {
+    expansions.release();
+    functions.release();
+    models.clear();
+  }
+  void reset(const MotionSegment& segment) {
+    expansions.reset(segment);
+    functions.clear();
+    models.clear();
+  }
+};
 
 /// A certificate function on a segment, at any precision.
 class PreciseTriple {

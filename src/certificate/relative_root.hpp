@@ -19,7 +19,7 @@
 #include "certificate/certificate_function.hpp"
 #include "certificate/frame_expansion.hpp"
 #include "certificate/precise_time.hpp"
-#include "numeric/double_double.hpp"
+#include "numeric/exact_sum.hpp"
 
 namespace taut::internal {
 

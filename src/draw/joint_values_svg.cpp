@@ -7,7 +7,7 @@
 #include <optional>
 #include <variant>
 
-#include "draw/svg_plot.hpp"
+#include "draw/svg_canvas.hpp"
 #include "scene/linkage.hpp"
 #include "scene/untested.hpp"
 #include "taut/error.hpp"

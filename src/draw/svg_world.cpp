@@ -1,10 +1,9 @@
 // A picture of any number of bodies at one instant.
 #include <fmt/format.h>
 
-#include "draw/joint_marks.hpp"
-#include "draw/svg_world_legend.hpp"
+#include "draw/svg_legend.hpp"
 #include "draw/world_marks.hpp"
-#include "draw/world_tilings.hpp"
+#include "draw/world_shapes.hpp"
 #include "io/number_text.hpp"
 #include "taut/io.hpp"
 

@@ -9,12 +9,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "draw/joint_marks.hpp"
 #include "draw/svg_canvas.hpp"
+#include "draw/svg_legend.hpp"
 #include "draw/svg_track.hpp"
-#include "draw/svg_world_legend.hpp"
 #include "draw/world_marks.hpp"
-#include "draw/world_tilings.hpp"
+#include "draw/world_shapes.hpp"
 #include "taut/io.hpp"
 
 namespace taut {

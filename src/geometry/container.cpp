@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/displaced_orientation.hpp"
+#include "geometry/displacement.hpp"
 #include "numeric/exact_sum.hpp"
 
 namespace taut::internal {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/axis_box.hpp"
+#include "numeric/stages.hpp"
 
 namespace taut::internal {
 
@@ -92,5 +93,31 @@ Displacement displace(std::span<const Point> polygon, Offset offset, double delt
 ///    within `displacement_limit` of the polygon's, in each coordinate.
 /// Hence what bodies displaced inwards do, the bodies do; and what the bodies do, those displaced outwards do.
 SharedPolygon displaced_polygon(const std::vector<Point>& polygon, Offset offset, std::uint64_t seed);
+
+// The orientation of three displaced vertices of one body: it never changes, and is never zero in general position.
+
+/// The sign of the orientation of (a, b, c): +1 if they turn left. 0 only if the displaced points are collinear.
+/// Coordinates are at most 1 in magnitude, and no point is displaced by more than `room`.
+int orientation(const DisplacedPoint& a, const DisplacedPoint& b, const DisplacedPoint& c,
+                double room = displacement_room);
+/// The same, if doubles decide, else 0. If they do, the points before the displacement turn that way, too, and c is
+/// farther than 2^7 `room` from the line through a and b: the determinant is more than 2^9 `room`, and ab shorter
+/// than 3.
+int orientation_in_doubles(const DisplacedPoint& a, const DisplacedPoint& b, const DisplacedPoint& c,
+                           double room = displacement_room);
+/// The same as the first, and which stage decided.
+StagedSign orientation_staged(const DisplacedPoint& a, const DisplacedPoint& b, const DisplacedPoint& c,
+                              double room = displacement_room);
+
+// Does a displacement keep its laws?
+
+/// Are all features of the polygon so large that no vertex that moves by less than `farthest` can break the laws of
+/// displaced_polygon()? Coordinates are at most 1 in magnitude. Linear time; false is no proof of the contrary.
+bool has_room(const std::vector<Point>& polygon, double farthest);
+
+/// Two edges that come so close that the displaced ring meets itself or the ring it was made of, or lies on the wrong
+/// side of it. Each corner must keep its own law, and no vertex move by `farthest` or more. Exact; about O(n log n).
+std::optional<DisplacementFault> find_displacement_fault(const std::vector<DisplacedPoint>& ring, Offset offset,
+                                                         double farthest);
 
 }  // namespace taut::internal

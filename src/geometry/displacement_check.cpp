@@ -23,13 +23,12 @@
 // meet are clear, and of the others doubles show nearly all to be: a point that is certainly on one side of a line is
 // far from it (orientation_in_doubles()). Those that are not shown to be clear are tested exactly, one by one, and
 // then so is the side on which R' lies.
-#include "geometry/displacement_check.hpp"
+#include "geometry/displacement.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "geometry/axis_box.hpp"
-#include "geometry/displaced_orientation.hpp"
 #include "numeric/budget.hpp"
 #include "numeric/exact_sum.hpp"
 

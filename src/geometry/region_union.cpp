@@ -8,7 +8,7 @@
 #include <map>
 #include <utility>
 
-#include "geometry/touching_rings.hpp"
+#include "geometry/part_rings.hpp"
 #include "numeric/budget.hpp"
 #include "taut/error.hpp"
 

@@ -1,4 +1,4 @@
-#include "geometry/ring_union.hpp"
+#include "geometry/region_union.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "geometry/touching_rings.hpp"
+#include "geometry/part_rings.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,8 @@
 #include "io/answer_writer.hpp"
 
 #include "taut/motions.hpp"
+#include "taut/path_proof.hpp"
+#include "taut/proof.hpp"
 
 namespace taut::internal::io {
 
@@ -139,3 +141,152 @@ void AnswerWriter::pair_answers(const char* name, const std::vector<PairAnswer>&
 }
 
 }  // namespace taut::internal::io
+
+// The answers of check() and verify() as JSON: what the verifier and the engines' observers write, too.
+
+namespace taut::internal {
+namespace {
+
+using io::answer_text;
+using io::AnswerWriter;
+
+/// What check() was asked.
+void write_scope(AnswerWriter& json, Touch touch, double fit) {
+  const Scene& scene = json.scene();
+  json.key("scope").object([&] {
+    json.key("bodies").array(scene.bodies, [&](const Body& body) { json.string(body.name); });
+    json.member("time", {scene.start, scene.end});
+    json.member("touch", to_string(touch));
+    if (fit > 0) json.member("fit", fit);
+    if (scene.at_rest == AtRest::test) json.member("at_rest", "test");
+  });
+}
+
+/// Which pairs the answer is about.
+void write_pairs(AnswerWriter& json, const Answer& answer) {
+  if (answer.pair) json.pair("pair", *answer.pair);
+  if (!answer.also.empty()) json.pair_answers("also", answer.also);
+  json.coverage(answer.coverage);
+  if (answer.pairs) json.pair_answers("pairs", *answer.pairs);
+  if (answer.geometry) json.geometry(*answer.geometry);
+}
+
+/// How it was found.
+void write_effort(AnswerWriter& json, const Answer& answer) {
+  json.member("engine", answer.compared ? "both" : to_string(answer.engine));
+  json.member("events", answer.events);
+  json.key("certificates").object([&] {
+    json.member("initial", answer.certificates_initial);
+    json.member("max", answer.certificates_max);
+  });
+}
+
+void write_answer(AnswerWriter& json, const Answer& answer, Touch touch) {
+  json.verdict(to_string(answer.outcome));
+  if (answer.contact) json.contact(*answer.contact);
+  if (answer.touching) {
+    json.member("grazing", true);
+    json.key("touching").object([&] { json.contact(*answer.touching); });
+  }
+  if (!answer.touching_undecided.empty()) json.member("touching_undecided", answer.touching_undecided);
+  if (answer.overlap_point) json.key("overlap").object([&] { json.member("point", *answer.overlap_point); });
+  if (answer.outcome == Outcome::undecided || answer.outcome == Outcome::locked)
+    json.member("free_until", answer.free_until);
+  json.reason(answer.reason);
+  write_pairs(json, answer);
+  write_effort(json, answer);
+  write_scope(json, touch, answer.fit);
+}
+
+const char* name_of(ContactAt at) {
+  return at == ContactAt::start ? "start" : at == ContactAt::joint ? "joint" : "motion";
+}
+
+/// Of a proof about a clearance.
+void write_proved_clearance(AnswerWriter& json, const Verified& proved) {
+  json.member("clearance", proved.clearance);
+  if (!proved.closer) return;
+  json.key("closer").object([&] {
+    json.time("t", proved.closer->time);
+    json.features(proved.closer->features);
+  });
+}
+
+}  // namespace
+
+std::string answer_json(const Scene& scene, const Answer& answer, Touch touch,
+                        const std::optional<AnswerTiming>& timing) {
+  return answer_text(scene, [&](AnswerWriter& json) {
+    write_answer(json, answer, touch);
+    if (!timing) return;
+    json.key("timing").object([&] {
+      json.member("read", timing->read);
+      json.member("build", timing->build);
+      json.member("run", timing->run);
+    });
+  });
+}
+
+std::string io::contact_json(const Scene& scene, const Contact& contact) {
+  return answer_text(scene, [&](AnswerWriter& json) { json.contact(contact); });
+}
+
+std::string io::pair_answer_json(const Scene& scene, const PairAnswer& pair) {
+  AnswerWriter json(scene);
+  json.pair_answer(pair);
+  return json.text();
+}
+
+}  // namespace taut::internal
+
+namespace taut {
+using namespace internal;
+
+std::string answer_json(const Scene& scene, const Answer& answer, Touch touch) {
+  return answer_json(scene, answer, touch, std::nullopt);
+}
+
+std::string verified_json(const Scene& scene, const Verified& proved) {
+  return answer_text(scene, [&](AnswerWriter& json) {
+    json.member("valid", true);
+    json.member("outcome", to_string(proved.outcome));
+    json.member("free_until", proved.free_until);
+    if (proved.contact) {
+      json.contact(*proved.contact);
+      json.member("contact_at", name_of(proved.contact_at));
+    }
+    if (proved.clearance > 0) write_proved_clearance(json, proved);
+    json.member("touch", to_string(proved.touch));
+    json.member("events", proved.events);
+    json.member("separations", proved.separations);
+    if (proved.kind == ProofKind::curves) json.member("segments", proved.segments);
+    json.coverage(proved.coverage);
+    json.member("scene_sha256", to_hex(proved.fingerprint));
+  });
+}
+
+std::string verified_path_json(const PathProblem& problem, const VerifiedPath& proved) {
+  return answer_text(problem.linkage.scene, [&](AnswerWriter& json) {
+    json.member("valid", true);
+    json.member("outcome", to_string(PathOutcome::none));
+    json.member("touch", to_string(proved.touch));
+    if (proved.clearance > 0) json.member("clearance", proved.clearance);
+    if (proved.barrier > 0) json.member("barrier", proved.barrier);
+    json.member("cells", proved.cells);
+    json.member("colliding", proved.colliding);
+    json.member("reached", proved.reached);
+    json.member("scene_sha256", to_hex(proved.fingerprint));
+  });
+}
+
+std::string unverified_json(bool refuted, const std::string& reason) {
+  return io::json_text([&](io::JsonWriter& json) {
+    json.object([&] {
+      json.key("valid");
+      refuted ? json.boolean(false) : json.null();
+      json.member("reason", reason);
+    });
+  });
+}
+
+}  // namespace taut

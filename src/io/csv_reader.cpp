@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "io/json_object.hpp"
-#include "io/keyframe_reader.hpp"
+#include "io/motion_reader.hpp"
 #include "io/number_text.hpp"
 #include "io/text_file.hpp"
 #include "taut/error.hpp"

@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "io/json_document.hpp"
-#include "io/json_numbers.hpp"
 #include "io/json_object.hpp"
 #include "io/outline_reader.hpp"
 #include "io/text_file.hpp"

@@ -6,8 +6,8 @@
 #include <optional>
 #include <utility>
 
-#include "io/named_file.hpp"
 #include "io/number_text.hpp"
+#include "io/outline_reader.hpp"
 #include "io/platform.hpp"
 #include "io/text_file.hpp"
 #include "taut/error.hpp"

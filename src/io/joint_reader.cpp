@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "io/json_numbers.hpp"
 #include "io/json_object.hpp"
 #include "io/text_file.hpp"
 

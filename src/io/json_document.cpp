@@ -4,8 +4,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "io/json_scanner.hpp"
-#include "io/json_text.hpp"
+#include "io/json_writer.hpp"
 #include "io/text_file.hpp"
 
 namespace taut::internal::io {

@@ -1,7 +1,7 @@
 // A JSON text as a flat list of tokens that remember where they stood.
 //
 // A polygon of a million vertices is two million numbers in a million small arrays: nlohmann's tree would take a
-// hundred bytes for each, and would forget the lines. A scanner of plain JSON makes this list (json_scanner.hpp), or
+// hundred bytes for each, and would forget the lines. A scanner of plain JSON makes this list (scan_json(), below), or
 // its SAX interface.
 #pragma once
 
@@ -64,5 +64,15 @@ JsonDocument parse_json(std::string text, const std::string& name, const std::st
                         Quoting quoting = Quoting::allowed);
 /// The same for the text of a document without tokens, whatever JSON it is, by a parser that says what is wrong.
 void parse_any_json(JsonDocument& document, Quoting quoting);
+
+// Everyday JSON, read quickly: what large scenes consist of.
+//
+// A parser that hands over one character and one token at a time takes most of the time in which a polygon of a million
+// vertices is read. This reads what nearly all scenes are, ASCII without escapes, and leaves everything else, errors
+// among it, to that parser.
+
+/// Makes the tokens of the document's text as parse_json() does. If the text is no JSON, not plain, or nested more than
+/// `deepest` deep, returns false, and the tokens and strings are meaningless.
+bool scan_plain_json(JsonDocument& document, std::size_t deepest);
 
 }  // namespace taut::internal::io

@@ -1,4 +1,4 @@
-// Reading an object with a fixed set of keys.
+// Reading an object with a fixed set of keys, and numbers and points in it.
 #pragma once
 
 #include <optional>
@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "io/json_document.hpp"
+#include "taut/geometry.hpp"
 
 namespace taut::internal::io {
 
@@ -40,5 +41,21 @@ std::string element_path(const std::string& path, std::size_t index);
 
 /// The word of `known` that `word` is most likely a slip of; empty if none is near.
 std::string nearest_word(const std::string& word, const std::vector<std::string>& known);
+
+// Numbers and points from JSON.
+
+double read_number(const JsonDocument& document, std::size_t token, const std::string& path);
+
+/// An array of at most `max_count` numbers.
+std::vector<double> read_numbers(const JsonDocument& document, std::size_t token, const std::string& path,
+                                 const std::string& shape, std::size_t max_count, const std::string& limit_hint);
+
+/// Throws the InputError of a polygon that has too many vertices.
+[[noreturn]] void fail_size(const JsonDocument& document, std::size_t token, const std::string& path,
+                            std::size_t max_vertices);
+
+/// An array of [x, y]. Further coordinates ([x, y, z] of GeoJSON) are errors unless `more_coordinates`.
+Polygon read_points(const JsonDocument& document, std::size_t token, const std::string& path, std::size_t max_vertices,
+                    bool more_coordinates);
 
 }  // namespace taut::internal::io

@@ -1,4 +1,4 @@
-#include "io/json_scanner.hpp"
+#include "io/json_document.hpp"
 
 #include <cmath>
 #include <optional>

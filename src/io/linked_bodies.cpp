@@ -4,7 +4,7 @@
 #include <cmath>
 #include <variant>
 
-#include "io/json_text.hpp"
+#include "io/json_writer.hpp"
 #include "io/number_text.hpp"
 #include "scene/linkage.hpp"
 #include "taut/shape.hpp"

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <set>
 
-#include "io/json_numbers.hpp"
 #include "io/json_object.hpp"
 #include "io/text_file.hpp"
 

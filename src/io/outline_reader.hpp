@@ -1,4 +1,4 @@
-// Polygons kept in files of their own.
+// Files that a scene names: outlines and keyframes.
 #pragma once
 
 #include <string>
@@ -50,5 +50,11 @@ void drop_repeated_vertices(Polygon& ring);
 
 /// Adds a part, or, if its holes touch its outline or each other at points, the parts that it is cut into.
 void add_parts(std::vector<Part>& parts, Part part);
+
+// Files that a scene names: outlines and keyframes.
+
+/// The path of a file that a scene names, relative to the scene's folder. Throws InputError if it lies outside of that
+/// folder, symbolic links followed, unless that is allowed: who sends a scene does not choose what is read.
+std::string named_file(const std::string& folder, const std::string& file, bool allow_outside);
 
 }  // namespace taut::internal::io

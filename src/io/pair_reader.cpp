@@ -1,6 +1,5 @@
 #include "io/pair_reader.hpp"
 
-#include "io/json_numbers.hpp"
 #include "io/json_object.hpp"
 #include "io/motion_reader.hpp"
 

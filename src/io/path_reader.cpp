@@ -1,5 +1,5 @@
 // Outlines from the data of an SVG path.
-#include "geometry/nesting.hpp"
+#include "geometry/part_rings.hpp"
 #include "io/number_text.hpp"
 #include "io/path_data.hpp"
 #include "numeric/overloaded.hpp"

@@ -3,7 +3,6 @@
 
 #include "io/joint_reader.hpp"
 #include "io/json_document.hpp"
-#include "io/json_numbers.hpp"
 #include "io/json_object.hpp"
 #include "io/mechanism_reader.hpp"
 #include "io/motion_reader.hpp"

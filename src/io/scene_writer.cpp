@@ -2,7 +2,7 @@
 #include <cmath>
 #include <limits>
 
-#include "io/json_text.hpp"
+#include "io/json_writer.hpp"
 #include "numeric/overloaded.hpp"
 #include "scene/mechanism_lock.hpp"
 #include "taut/io.hpp"

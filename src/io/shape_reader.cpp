@@ -3,8 +3,7 @@
 
 #include <optional>
 
-#include "io/json_numbers.hpp"
-#include "io/named_file.hpp"
+#include "io/json_object.hpp"
 #include "io/outline_reader.hpp"
 #include "io/text_file.hpp"
 #include "taut/error.hpp"

@@ -1,6 +1,5 @@
 #include "io/trace_json.hpp"
 
-#include "io/json_text.hpp"
 #include "io/json_writer.hpp"
 
 namespace taut::internal::io {

@@ -5,7 +5,7 @@
 #include <map>
 #include <optional>
 
-#include "geometry/touching_rings.hpp"
+#include "geometry/part_rings.hpp"
 #include "io/number_text.hpp"
 #include "io/outline_reader.hpp"
 #include "io/text_file.hpp"

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "numeric/budget.hpp"
-#include "scene/ignored_pairs.hpp"
 #include "scene/linkage.hpp"
 #include "scene/untested.hpp"
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "certificate/found_contact.hpp"
+#include "certificate/contact_bracket.hpp"
 #include "kinetic/dormant_certificates.hpp"
 #include "kinetic/event_queue.hpp"
 #include "kinetic/failure_solver.hpp"

@@ -4,7 +4,7 @@
 #include <limits>
 #include <utility>
 
-#include "certificate/instant_order.hpp"
+#include "certificate/instant.hpp"
 #include "geometry/hull.hpp"
 #include "numeric/errors.hpp"
 #include "scene/placement.hpp"

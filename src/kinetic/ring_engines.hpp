@@ -9,7 +9,7 @@
 #include "certificate/contact_bracket.hpp"
 #include "kinetic/engine.hpp"
 #include "scene/body_pair.hpp"
-#include "scene/ring_meetings.hpp"
+#include "scene/ring_set.hpp"
 
 namespace taut::internal {
 

@@ -1,8 +1,8 @@
-#include "motion/far_pieces.hpp"
+#include "motion/local_time.hpp"
 
 #include <algorithm>
 
-#include "motion/local_time.hpp"
+#include "motion/far_pieces.hpp"
 #include "motion/rotation_forms.hpp"
 
 namespace taut::internal {

@@ -1,4 +1,4 @@
-#include "motion/frame_evaluator.hpp"
+#include "motion/frame_sample.hpp"
 
 #include <algorithm>
 

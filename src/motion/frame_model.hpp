@@ -3,7 +3,7 @@
 #pragma once
 
 #include "motion/motion_segment.hpp"
-#include "numeric/lanes.hpp"
+#include "numeric/fixed.hpp"
 
 namespace taut::internal {
 

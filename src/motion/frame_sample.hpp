@@ -4,6 +4,7 @@
 #include <array>
 
 #include "motion/frame_model.hpp"
+#include "motion/motion_segment.hpp"
 
 namespace taut::internal {
 
@@ -49,5 +50,19 @@ void evaluate(const FrameModel& model, double t, int first, FrameSample& sample)
 void add_errors(const FrameModel& model, int first, FrameSample& values);
 FrameCurvature curvature_of(const FrameModel& model, int first);
 FrameThird third_of(const FrameModel& model, int first);
+
+// The frame functions at two instants: most combinations of them differ from zero there already.
+
+/// An evaluation at these two instants costs very little compared to the frame's identities (FrameIdentities), which
+/// few certificate functions need.
+class FrameEvaluator {
+ public:
+  explicit FrameEvaluator(const MotionSegment& segment);
+  /// Is the sum of these coefficients times the frame functions for `pp` certainly not identically zero on the segment?
+  bool differs_from_zero(bool pp, const std::array<Ball<double>, 5>& coefficients) const;
+
+ private:
+  std::array<FrameValues<double>, 2> looks_;
+};
 
 }  // namespace taut::internal

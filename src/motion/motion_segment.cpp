@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "motion/frame_evaluator.hpp"
 #include "motion/frame_identities.hpp"
+#include "motion/frame_sample.hpp"
 #include "motion/uniform_rotation.hpp"
 
 namespace taut::internal {

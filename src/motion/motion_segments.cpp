@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "motion/far_pieces.hpp"
+#include "motion/local_time.hpp"
 #include "motion/pieces.hpp"
 #include "motion/repetition.hpp"
 

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "motion/far_pieces.hpp"
+#include "motion/local_time.hpp"
 #include "motion/motion_segment.hpp"
 #include "motion/pieces.hpp"
 #include "numeric/exact_sum.hpp"

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "motion/pose.hpp"
-#include "numeric/reciprocals.hpp"
+#include "numeric/ball.hpp"
 #include "numeric/trig.hpp"
 
 namespace taut::internal {

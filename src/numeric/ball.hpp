@@ -3,7 +3,9 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <type_traits>
 
@@ -167,6 +169,22 @@ template <class Real>
 Ball<Real> hull(const Ball<Real>& a, const Ball<Real>& b) {
   const Real lo = std::min<Real>(a.lower(), b.lower()), hi = std::max<Real>(a.upper(), b.upper());
   return Ball<Real>::between(lo, hi);
+}
+
+// Reciprocals of small whole numbers, used in series instead of divisions: a product costs a third of a quotient.
+
+/// 1/k for k = 1 .. 32, to the precision of the number type.
+template <class Real>
+const Ball<Real>& reciprocal(int k) {
+  static const auto all = [] {
+    std::array<Ball<Real>, 33> made;
+    made[0] = Ball<Real>::exact(0);
+    for (std::size_t i = 1; i < made.size(); ++i) {
+      made[i] = Ball<Real>::exact(1) / Ball<Real>::exact(static_cast<double>(i));
+    }
+    return made;
+  }();
+  return all[static_cast<std::size_t>(k)];
 }
 
 }  // namespace taut::internal

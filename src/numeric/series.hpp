@@ -8,8 +8,8 @@
 #include <optional>
 #include <type_traits>
 
+#include "numeric/ball.hpp"
 #include "numeric/jet.hpp"
-#include "numeric/reciprocals.hpp"
 
 namespace taut::internal {
 

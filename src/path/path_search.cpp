@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "numeric/budget.hpp"
-#include "numeric/progress.hpp"
 #include "path/tight_features.hpp"
 
 namespace taut::internal::path {

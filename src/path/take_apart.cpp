@@ -9,12 +9,12 @@
 
 #include "geometry/vector.hpp"
 #include "motion/pose.hpp"
-#include "numeric/progress.hpp"
+#include "numeric/budget.hpp"
 #include "query/separate_straight.hpp"
 #include "scene/fitted_scene.hpp"
-#include "scene/ignored_pairs.hpp"
 #include "scene/instance.hpp"
 #include "scene/ring_set.hpp"
+#include "scene/untested.hpp"
 #include "taut/motions.hpp"
 #include "taut/path.hpp"
 

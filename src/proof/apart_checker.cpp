@@ -3,7 +3,7 @@
 #include <bit>
 
 #include "numeric/budget.hpp"
-#include "proof/kept_margin.hpp"
+#include "proof/separation.hpp"
 #include "taut/error.hpp"
 
 namespace taut::internal::proof {

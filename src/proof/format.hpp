@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "proof/bytes.hpp"
+
 namespace taut::internal::proof {
 
 inline constexpr char magic[7] = {'t', 'a', 'u', 't', 'p', 'r', 'f'};
@@ -49,5 +51,18 @@ inline constexpr std::uint32_t unused = 0xffffffffu;
 /// How far from the instant of an event its time in the log may be, on a segment from `start` to `end`. The factor has
 /// many digits, so that no time with a few other bits lies at the limit.
 inline double nearness(double start, double end) { return 0x1p-40 * 1.618 * (std::fabs(start) + std::fabs(end)); }
+
+// What every log begins with.
+
+struct Header {
+  char version = of_tilings;
+  Fingerprint fingerprint{};
+  Touch touch = Touch::open;
+  std::uint8_t kind = 0;  ///< of a log of tilings, its shapes; of separations, its claim
+};
+
+/// Throws ProofError unless it is the header of a log about this scene.
+Header read_header(ByteReader& in, const Scene& scene);
+void write_header(ByteWriter& out, const Header& header);
 
 }  // namespace taut::internal::proof

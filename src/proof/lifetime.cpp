@@ -5,8 +5,8 @@
 
 #include "numeric/budget.hpp"
 #include "numeric/errors.hpp"
-#include "numeric/first_decisive.hpp"
 #include "numeric/quadratic_bound.hpp"
+#include "numeric/stages.hpp"
 #include "proof/format.hpp"
 #include "scene/placement.hpp"
 #include "taut/proof.hpp"

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "scene/ignored_pairs.hpp"
+#include "scene/untested.hpp"
 #include "taut/path.hpp"
 
 namespace taut::internal::proof {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "numeric/budget.hpp"
-#include "proof/edge_slabs.hpp"
+#include "proof/edge_ranges.hpp"
 #include "taut/proof.hpp"
 
 namespace taut::internal::proof {

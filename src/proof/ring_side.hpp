@@ -24,7 +24,7 @@
 
 #include <string>
 
-#include "proof/curve_piece.hpp"
+#include "proof/curve_arc.hpp"
 
 namespace taut::internal::proof {
 

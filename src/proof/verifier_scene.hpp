@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "motion/make_segments.hpp"
+#include "motion/motion_segments.hpp"
 #include "scene/body_pair.hpp"
-#include "scene/ignored_pairs.hpp"
+#include "scene/untested.hpp"
 #include "taut/coverage.hpp"
 
 namespace taut::internal::proof {

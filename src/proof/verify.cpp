@@ -5,18 +5,15 @@
 #include <string>
 
 #include "certificate/feature_map.hpp"
-#include "motion/make_segments.hpp"
 #include "motion/motion_segment.hpp"
+#include "motion/motion_segments.hpp"
 #include "motion/pieces.hpp"
 #include "numeric/budget.hpp"
-#include "numeric/progress.hpp"
-#include "numeric/undecided.hpp"
+#include "numeric/errors.hpp"
 #include "proof/curved_scene.hpp"
-#include "proof/header.hpp"
+#include "proof/format.hpp"
 #include "proof/lifetime.hpp"
 #include "proof/proof_map.hpp"
-#include "proof/proved_contact.hpp"
-#include "proof/stretch_of_segments.hpp"
 #include "proof/verifier_world.hpp"
 #include "proof/verify_separations.hpp"
 #include "scene/mechanism_lock.hpp"
@@ -316,3 +313,19 @@ Verified verify(const Scene& scene, std::istream& log) {
 }
 
 }  // namespace taut
+
+namespace taut::internal::proof {
+
+ProvedContact proved_contact(const FeatureMap& features, const Incidence& hit, const MotionSegment& segment,
+                             const Instant& tight, double start, double free_until) {
+  ProvedContact proved{features.contact({hit.vertex, hit.edge, tight.lo, std::min(tight.hi, segment.end)}, segment),
+                       free_until};
+  TimeInterval& time = proved.contact.time;
+  time.lo = std::max(time.lo, start);
+  // A jump has its instant. Elsewhere other pairs may meet before, as far as is known, once nothing is said of them.
+  if (!segment.bridge) time.lo = std::min(time.lo, free_until);
+  proved.free_until = std::min(time.lo, free_until);
+  return proved;
+}
+
+}  // namespace taut::internal::proof

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "numeric/budget.hpp"
-#include "numeric/progress.hpp"
 #include "proof/barrier_checker.hpp"
 #include "proof/format.hpp"
 #include "proof/mechanism_cells.hpp"

@@ -8,10 +8,8 @@
 
 #include "certificate/feature_map.hpp"
 #include "numeric/budget.hpp"
-#include "proof/kept_margin.hpp"
 #include "proof/mechanism_cells.hpp"
-#include "proof/open_pairs.hpp"
-#include "proof/proved_contact.hpp"
+#include "proof/separation.hpp"
 #include "proof/verifier_world.hpp"
 #include "scene/placement.hpp"
 #include "scene/untested.hpp"

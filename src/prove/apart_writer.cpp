@@ -7,7 +7,7 @@
 
 #include "numeric/budget.hpp"
 #include "numeric/errors.hpp"
-#include "proof/kept_margin.hpp"
+#include "proof/separation.hpp"
 
 namespace taut::internal {
 namespace {

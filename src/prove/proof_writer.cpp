@@ -5,10 +5,10 @@
 
 #include "certificate/precise_triple.hpp"
 #include "numeric/errors.hpp"
-#include "proof/fine_instant.hpp"
-#include "proof/header.hpp"
+#include "proof/format.hpp"
 #include "proof/lifetime.hpp"
-#include "proof/proved_contact.hpp"
+#include "proof/motion_window.hpp"
+#include "proof/verify_separations.hpp"
 #include "scene/placement.hpp"
 #include "taut/proof.hpp"
 #include "tiling/root_faces.hpp"

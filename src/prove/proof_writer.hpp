@@ -5,8 +5,8 @@
 
 #include "proof/bytes.hpp"
 #include "proof/format.hpp"
+#include "solver/kinetic_solver.hpp"
 #include "solver/run.hpp"
-#include "solver/trace_writer.hpp"
 
 namespace taut::internal {
 

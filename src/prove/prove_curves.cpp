@@ -7,7 +7,7 @@
 
 #include "numeric/errors.hpp"
 #include "proof/curved_scene.hpp"
-#include "proof/header.hpp"
+#include "proof/format.hpp"
 #include "query/curved_questions.hpp"
 #include "scene/ring_set.hpp"
 #include "solver/run.hpp"

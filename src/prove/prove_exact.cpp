@@ -7,8 +7,8 @@
 
 #include "io/json_writer.hpp"
 #include "numeric/budget.hpp"
-#include "numeric/undecided.hpp"
-#include "prove/exact_separation.hpp"
+#include "numeric/errors.hpp"
+#include "prove/exact_scene.hpp"
 #include "taut/error.hpp"
 #include "taut/proof.hpp"
 

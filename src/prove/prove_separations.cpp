@@ -8,8 +8,7 @@
 
 #include "numeric/budget.hpp"
 #include "numeric/errors.hpp"
-#include "numeric/undecided.hpp"
-#include "proof/header.hpp"
+#include "proof/format.hpp"
 #include "proof/mechanism_cells.hpp"
 #include "prove/separations_writer.hpp"
 #include "scene/curved_world.hpp"

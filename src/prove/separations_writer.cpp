@@ -6,13 +6,12 @@
 
 #include "numeric/budget.hpp"
 #include "numeric/errors.hpp"
-#include "numeric/undecided.hpp"
 #include "proof/bytes.hpp"
-#include "proof/kept_margin.hpp"
-#include "proof/proved_contact.hpp"
+#include "proof/separation.hpp"
+#include "proof/verify_separations.hpp"
 #include "prove/apart_writer.hpp"
 #include "prove/window_writer.hpp"
-#include "spacetime/approach.hpp"
+#include "spacetime/margin.hpp"
 #include "taut/proof.hpp"
 
 namespace taut::internal {

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "proof/fine_instant.hpp"
 #include "proof/format.hpp"
+#include "proof/motion_window.hpp"
 #include "proof/verifier_world.hpp"
 #include "prove/apart_writer.hpp"
 #include "solver/pair_solver.hpp"

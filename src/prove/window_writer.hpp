@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "proof/open_pairs.hpp"
+#include "proof/verifier_world.hpp"
 
 namespace taut::internal {
 

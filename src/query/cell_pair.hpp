@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "joints/pose_model.hpp"
-#include "solver/pair_instance.hpp"
+#include "solver/pair_solver.hpp"
 
 namespace taut::internal {
 

@@ -5,8 +5,7 @@
 #include <optional>
 
 #include "numeric/budget.hpp"
-#include "numeric/progress.hpp"
-#include "numeric/undecided.hpp"
+#include "numeric/errors.hpp"
 #include "query/lift_contest.hpp"
 
 namespace taut::internal {

@@ -7,7 +7,6 @@
 
 #include "numeric/budget.hpp"
 #include "numeric/errors.hpp"
-#include "numeric/undecided.hpp"
 #include "query/curved_questions.hpp"
 #include "query/nearest_points.hpp"
 #include "scene/untested.hpp"

@@ -6,7 +6,6 @@
 
 #include "joints/linked_pairs.hpp"
 #include "numeric/budget.hpp"
-#include "numeric/progress.hpp"
 #include "query/cell_pair.hpp"
 #include "scene/untested.hpp"
 #include "taut/error.hpp"

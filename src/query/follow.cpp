@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "motion/degrees.hpp"
-#include "numeric/progress.hpp"
+#include "numeric/budget.hpp"
 #include "query/contact_sequence.hpp"
 #include "scene/curved_world.hpp"
 #include "solver/run.hpp"

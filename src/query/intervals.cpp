@@ -8,11 +8,9 @@
 
 #include "numeric/budget.hpp"
 #include "numeric/errors.hpp"
-#include "numeric/progress.hpp"
-#include "numeric/undecided.hpp"
 #include "query/curved_questions.hpp"
 #include "scene/mechanism_lock.hpp"
-#include "scene/near_stretches.hpp"
+#include "scene/meeting_boxes.hpp"
 #include "scene/untested.hpp"
 #include "scene/validate_scene.hpp"
 #include "solver/overlap_intervals.hpp"

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "certificate/feature_map.hpp"
-#include "spacetime/closest.hpp"
+#include "spacetime/clearance.hpp"
 
 namespace taut::internal {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "solver/pair_instance.hpp"
+#include "solver/pair_solver.hpp"
 #include "taut/clearance.hpp"
 
 namespace taut::internal {

@@ -9,13 +9,11 @@
 
 #include "numeric/budget.hpp"
 #include "numeric/errors.hpp"
-#include "numeric/progress.hpp"
-#include "numeric/undecided.hpp"
 #include "query/curved_questions.hpp"
 #include "scene/untested.hpp"
 #include "scene/validate_scene.hpp"
 #include "solver/free_directions.hpp"
-#include "solver/pair_instance.hpp"
+#include "solver/pair_solver.hpp"
 #include "taut/error.hpp"
 
 namespace taut {

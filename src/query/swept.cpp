@@ -9,8 +9,8 @@
 
 #include "geometry/axis_box.hpp"
 #include "geometry/hull.hpp"
+#include "geometry/part_rings.hpp"
 #include "geometry/region_union.hpp"
-#include "geometry/touching_rings.hpp"
 #include "motion/pose.hpp"
 #include "motion/repetition.hpp"
 #include "numeric/budget.hpp"

@@ -4,7 +4,10 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <utility>
 
+#include "geometry/displacement.hpp"
+#include "geometry/ids.hpp"
 #include "motion/motion_segments.hpp"
 #include "scene/pair_geometry.hpp"
 #include "scene/ring_set.hpp"
@@ -52,5 +55,27 @@ inline Offset offset_for(Touch touch) { return touch == Touch::open ? Offset::in
 PairGeometry displaced_pair(const BodyPair& bodies, Offset offset);
 /// The same, or nothing.
 std::optional<PairGeometry> displaced_pair_if_possible(const BodyPair& bodies, Offset offset);
+
+// Which rings of two bodies can meet at all?
+
+class Placement;
+
+/// A ring of P and one of Q, by their numbers in the bodies.
+struct RingMeeting {
+  std::size_t p, q;
+};
+
+struct RingMeetings {
+  std::vector<RingMeeting> pairs;
+  std::optional<VertexId> inside;  ///< a vertex of one body in the other one: they overlap, and there are no pairs
+};
+
+/// For each part of P and each part of Q, the two rings between which the free space of both lies: their outlines,
+/// where neither part is within the other's; else the hole that the one is in, and the outline of the other. No other
+/// rings of these parts can meet before these do. Crossings are not looked for: where outlines or holes cross, rings
+/// that are named cross as well, or a vertex is inside.
+///
+/// The placement is that of the bodies of rings, displaced. Exact; throws Undecidable.
+RingMeetings ring_meetings(const BodyPair& bodies, const Placement& placement);
 
 }  // namespace taut::internal

@@ -1,11 +1,14 @@
 #include "scene/curved_world.hpp"
 
 #include <algorithm>
+#include <utility>
 
-#include "geometry/flat_part.hpp"
+#include "geometry/band.hpp"
 #include "scene/ring_set.hpp"
 #include "scene/validate_scene.hpp"
 #include "taut/error.hpp"
+#include "taut/outline.hpp"
+#include "taut/scene.hpp"
 
 namespace taut::internal {
 namespace {
@@ -173,3 +176,27 @@ std::uint64_t CurvedWorld::segments() const {
 }
 
 }  // namespace taut::internal
+
+namespace taut {
+
+// Polygons for the curves of a scene.
+
+namespace {
+
+void replace_curves(Body& body, CurveSide side, double tolerance) {
+  if (body.curves.empty()) return;
+  body.parts = flatten(std::exchange(body.curves, {}), side, tolerance, body.name);
+  if (body.parts.size() > 1 || !body.parts[0].holes.empty() || body.parts[0].z) return;
+  body.polygon = std::move(body.parts[0].outline);
+  body.parts.clear();
+}
+
+}  // namespace
+
+Scene flatten(const Scene& scene, CurveSide side, double tolerance) {
+  Scene flat = scene;
+  for (Body& body : flat.bodies) replace_curves(body, side, tolerance);
+  return flat;
+}
+
+}  // namespace taut

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/banded_part.hpp"
+#include "geometry/band.hpp"
 #include "taut/check.hpp"
 #include "taut/scene.hpp"
 

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <string>
 
-#include "geometry/displacement_check.hpp"
+#include "geometry/displacement.hpp"
 #include "geometry/hull.hpp"
 #include "scene/cross_sections.hpp"
 #include "scene/ring_set.hpp"

@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "motion/make_segments.hpp"
+#include "motion/motion_segments.hpp"
 #include "scene/body_pair.hpp"
-#include "scene/ignored_pairs.hpp"
+#include "scene/untested.hpp"
 #include "taut/check.hpp"
 
 namespace taut::internal {

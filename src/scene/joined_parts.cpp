@@ -8,7 +8,7 @@
 #include "geometry/displacement.hpp"
 #include "geometry/hull.hpp"
 #include "geometry/predicates.hpp"
-#include "geometry/ring_union.hpp"
+#include "geometry/region_union.hpp"
 #include "geometry/vector.hpp"
 #include "scene/ring_set.hpp"
 #include "taut/error.hpp"

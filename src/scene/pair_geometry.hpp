@@ -3,7 +3,6 @@
 
 #include <utility>
 
-#include "geometry/displaced_orientation.hpp"
 #include "geometry/displacement.hpp"
 #include "geometry/ids.hpp"
 

@@ -6,7 +6,7 @@
 
 #include "numeric/budget.hpp"
 #include "numeric/errors.hpp"
-#include "numeric/first_decisive.hpp"
+#include "numeric/stages.hpp"
 
 namespace taut::internal {
 namespace {

@@ -10,6 +10,7 @@
 #include "numeric/errors.hpp"
 #include "numeric/fixed.hpp"
 #include "numeric/stages.hpp"
+#include "scene/body_pair.hpp"
 #include "scene/pair_geometry.hpp"
 
 namespace taut::internal {

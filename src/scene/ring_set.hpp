@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -16,8 +17,8 @@
 #include "geometry/hull.hpp"
 #include "geometry/ids.hpp"
 #include "geometry/prepared_shape.hpp"
-#include "geometry/shape_facts.hpp"
 #include "numeric/budget.hpp"
+#include "scene/body_pair.hpp"
 #include "taut/feature.hpp"
 #include "taut/scene.hpp"
 

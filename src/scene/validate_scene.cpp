@@ -1,17 +1,19 @@
 #include "scene/validate_scene.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <string>
 #include <string_view>
 
-#include "geometry/part_validation.hpp"
+#include <fmt/format.h>
+
+#include "geometry/part_rings.hpp"
+#include "geometry/predicates.hpp"
 #include "geometry/prepared_shape.hpp"
-#include "geometry/shape_facts.hpp"
 #include "motion/pieces.hpp"
 #include "scene/cross_sections.hpp"
+#include "scene/curved_world.hpp"
 #include "scene/pair_margins.hpp"
 #include "scene/ring_set.hpp"
 #include "taut/error.hpp"
@@ -186,3 +188,40 @@ void validate_polygons(const Scene& scene) {
 }
 
 }  // namespace taut::internal
+
+namespace taut::internal {
+
+void validate_time(const Scene& scene) {
+  if (!std::isfinite(scene.start) || !std::isfinite(scene.end))
+    throw InputError("time", "the time interval is not finite");
+  // Products of times and coefficients are to stay within doubles; instants may be as near to 0 as they are.
+  for (const double t : {scene.start, scene.end}) {
+    if (std::fabs(t) > max_coordinate)
+      throw InputError("time", "it goes beyond 2^400, the largest magnitude that taut computes with",
+                       "choose another unit of time");
+  }
+  if (scene.end < scene.start)
+    throw InputError("time", "the time interval ends before it starts", "write [start, end] with start <= end");
+}
+
+void validate_range(const ShapeFacts& a, const ShapeFacts& b) {
+  const double least = std::min(a.least, b.least), largest = std::max(a.largest, b.largest);
+  if (largest > 0 && least < largest * 0x1p-400)
+    throw InputError("bodies", "the coordinates differ in magnitude by more than 2^400",
+                     "coordinates that small compared with the others can only be rounding noise: make them 0");
+}
+
+}  // namespace taut::internal
+
+namespace taut {
+using namespace internal;
+
+void validate(const Scene& scene) {
+  if (has_curves(scene)) {
+    validate_polygons(CurvedWorld(scene).polygons(CurveSide::outer));
+    return;
+  }
+  validate_polygons(scene);
+}
+
+}  // namespace taut

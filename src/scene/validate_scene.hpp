@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "geometry/shape_facts.hpp"
+#include "geometry/prepared_shape.hpp"
 #include "taut/scene.hpp"
 
 namespace taut::internal {

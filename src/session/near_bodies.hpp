@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "scene/instance.hpp"
-#include "scene/swept_box.hpp"
+#include "scene/meeting_boxes.hpp"
 
 namespace taut::internal {
 

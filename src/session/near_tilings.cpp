@@ -1,10 +1,14 @@
 // The tilings of the pairs of a world that are near at an instant, to be drawn.
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
+#include "certificate/root.hpp"
+#include "motion/pieces.hpp"
 #include "scene/meeting_boxes.hpp"
 #include "scene/validate_scene.hpp"
+#include "session/world_simulation.hpp"
 #include "solver/kinetic_solver.hpp"
 #include "taut/error.hpp"
 #include "taut/simulation.hpp"
@@ -69,3 +73,115 @@ std::vector<NearTiling> tilings_of_near_pairs(const Scene& scene, double t, Touc
 }
 
 }  // namespace taut
+
+namespace taut::internal {
+
+// The pairs of a simulated world: when they have tilings, and what a change of motion does to these.
+
+/// A pair that is near from that time on, at which the two are apart; without one, from the start of the motions on,
+/// and whether the two overlap there is asked.
+void WorldSimulation::add_pair(const Key& key, std::optional<double> from, double jump) {
+  const auto pair = pairs_.emplace(key, Near{}).first;
+  if (!leave_to_discs(pair, from.value_or(now_), jump)) begin_tilings(pair, from);
+  enqueue(pair);
+}
+
+/// If discs keep the two bodies apart for a while, that is enough. Nothing must be due before.
+bool WorldSimulation::leave_to_discs(Pairs::iterator pair, double from, double jump) {
+  const auto [a, b] = pair->first;
+  const double apart = near_.apart_until(a, b, from, jump);
+  if (!(apart > from)) return false;
+  Near& near = pair->second;
+  near.due = apart;
+  near.next.reset();
+  near.solver.reset();
+  near.has_changed = false;
+  return true;
+}
+
+/// At that time, or at the start of the motions.
+void WorldSimulation::begin_tilings(Pairs::iterator pair, std::optional<double> from) {
+  const auto [a, b] = pair->first;
+  // Made first: a limit may end that.
+  auto solver = std::make_unique<KineticSolver>(instance_, a, b, offset_for(touch_), budget_, observer_);
+  if (from) {
+    solver->start_at(*from);
+  } else {
+    solver->ask_start();
+  }
+  pair->second.solver = std::move(solver);
+  pair->second.due = from.value_or(instance_.start());
+  pair->second.next.reset();
+}
+
+/// Into the queue, or to the pairs that have come to an end.
+void WorldSimulation::enqueue(Pairs::iterator pair) {
+  Near& near = pair->second;
+  count_certificates(near);
+  if (near.solver && !instance_.is_single_pair()) near.solver->put_aside();
+  if (!near.solver || near.solver->open()) {
+    if (spare_.empty()) {
+      queue_.insert({pair->second.due, pair->first});
+    } else {
+      spare_.value() = {pair->second.due, pair->first};
+      queue_.insert(std::move(spare_));
+    }
+  } else {
+    ended_.insert(pair->first);
+  }
+}
+
+void WorldSimulation::end_pair(const Key& key) {
+  const auto pair = pairs_.find(key);
+  if (pair == pairs_.end()) return;
+  certificates_ -= pair->second.certificates;
+  queue_.erase({pair->second.due, key});
+  ended_.erase(key);
+  pairs_.erase(pair);
+}
+
+void WorldSimulation::count_certificates(Near& near) {
+  const RingEngines* const engines = near.solver ? near.solver->engines() : nullptr;
+  const std::uint64_t count = engines ? engines->certificates() : 0;
+  certificates_ = certificates_ - near.certificates + count;
+  near.certificates = count;
+  certificates_max_ = std::max(certificates_max_, certificates_);
+}
+
+/// How far two bodies may jump at the present, in internal units, so that discs still tell that they do not meet on the
+/// way. Several changes at one time count from what the body did before.
+double WorldSimulation::jump_of(BodyId body) const {
+  const PieceList& own = instance_.bodies()[static_cast<std::size_t>(body)].own;
+  if (now_ == start_ || (!own.empty() && own.until(0) == now_)) return never;
+  return std::ldexp(2 * joint_tolerance * extent_, instance_.exponent());
+}
+
+/// A tiling stays if it corresponds to the present, or before. At the start of the scene no bridge is possible. Pairs
+/// that are asked about for the first time, as bodies that have moved alike, may overlap. What else there is to do
+/// waits until time goes on: both bodies may change. At the start of the scene, and of a single pair, it is shown at
+/// once.
+void WorldSimulation::replan_pair(const Key& key, double jump) {
+  const auto known = pairs_.find(key);
+  if (known == pairs_.end()) return add_pair(key, std::nullopt, never);
+  Near& near = known->second;
+  queue_.erase({near.due, key});
+  ended_.erase(key);
+  if (leave_to_discs(known, now_, jump)) return enqueue(known);
+  near.has_changed = true;
+  near.next.reset();
+  near.due = now_;
+  if (instance_.is_single_pair() || now_ == start_) {
+    follow_change(known);
+    return enqueue(known);
+  }
+  queue_.insert({near.due, key});
+}
+
+void WorldSimulation::follow_change(Pairs::iterator pair) {
+  Near& near = pair->second;
+  near.has_changed = false;
+  if (near.solver && now_ > start_ && near.solver->replan(now_)) return;
+  begin_tilings(pair, std::nullopt);
+}
+
+}  // namespace taut::internal

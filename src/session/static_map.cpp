@@ -1,5 +1,3 @@
-#include "taut/static_map.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -8,15 +6,17 @@
 #include "motion/pieces.hpp"
 #include "numeric/budget.hpp"
 #include "numeric/errors.hpp"
-#include "numeric/undecided.hpp"
 #include "scene/cross_sections.hpp"
 #include "scene/untested.hpp"
 #include "scene/validate_scene.hpp"
 #include "session/static_map_parts.hpp"
 #include "solver/earliest.hpp"
 #include "solver/run.hpp"
+#include "taut/grid.hpp"
+#include "taut/static_map.hpp"
 
 namespace taut {
+
 using namespace internal;
 namespace {
 
@@ -244,5 +244,13 @@ std::optional<BodyId> StaticMap::overlapped(const Mover& mover, const Motion& mo
 }
 
 const std::string& StaticMap::Mover::name() const { return impl_->name; }
+
+using namespace internal;
+
+StaticMap StaticMap::from_grid(const OccupancyGrid& grid, double reach) { return StaticMap(grid_bodies(grid), reach); }
+
+StaticMap StaticMap::from_grid(const std::string& yaml_file, double reach) {
+  return from_grid(read_grid(yaml_file), reach);
+}
 
 }  // namespace taut

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "solver/pair_instance.hpp"
+#include "solver/pair_solver.hpp"
 #include "spacetime/clearance.hpp"
 #include "taut/clearance.hpp"
 #include "taut/intervals.hpp"

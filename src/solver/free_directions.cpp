@@ -8,7 +8,7 @@
 
 #include "numeric/budget.hpp"
 #include "numeric/errors.hpp"
-#include "numeric/first_decisive.hpp"
+#include "numeric/stages.hpp"
 #include "numeric/trig.hpp"
 
 namespace taut::internal {

@@ -7,6 +7,7 @@
 #include "scene/instance.hpp"
 #include "solver/pair_solver.hpp"
 #include "taut/simulation.hpp"
+#include "taut/tracer.hpp"
 
 namespace taut::internal {
 
@@ -101,6 +102,18 @@ class KineticSolver final : public PairSolver, private EngineObserver {
   KineticCounts before_;  ///< of discarded engines
   StageCounts stages_;    ///< of discarded engines
   PairResult result_;
+};
+
+// Translates the events of the kinetic engine to the user's terms, for a tracer.
+
+class TraceWriter final : public KineticObserver {
+ public:
+  explicit TraceWriter(Tracer& tracer) : tracer_(tracer) {}
+  void on_event(const KineticSolver& solver, const EngineEvent& event) override;
+
+ private:
+  Tracer& tracer_;
+  std::uint64_t number_ = 0;
 };
 
 }  // namespace taut::internal

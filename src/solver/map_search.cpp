@@ -4,10 +4,10 @@
 #include <set>
 #include <utility>
 
-#include "motion/make_segments.hpp"
+#include "motion/motion_segments.hpp"
 #include "numeric/budget.hpp"
+#include "scene/meeting_boxes.hpp"
 #include "scene/overlap_witness.hpp"
-#include "scene/swept_box.hpp"
 
 namespace taut::internal {
 namespace {

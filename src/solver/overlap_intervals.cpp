@@ -7,7 +7,7 @@
 
 #include "certificate/feature_map.hpp"
 #include "numeric/budget.hpp"
-#include "solver/pair_instance.hpp"
+#include "solver/pair_solver.hpp"
 #include "spacetime/crossing.hpp"
 #include "spacetime/first_contact.hpp"
 

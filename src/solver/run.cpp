@@ -6,7 +6,7 @@
 #include "scene/overlap_witness.hpp"
 #include "scene/untested.hpp"
 #include "scene/validate_scene.hpp"
-#include "solver/trace_writer.hpp"
+#include "solver/kinetic_solver.hpp"
 #include "taut/error.hpp"
 
 namespace taut::internal {

@@ -1,4 +1,4 @@
-#include "solver/vertices_at_pose.hpp"
+#include "solver/free_directions.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include <numeric>
 #include <unordered_set>
 
-#include "numeric/progress.hpp"
+#include "numeric/budget.hpp"
 #include "scene/meeting_boxes.hpp"
 
 namespace taut::internal {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/swept_box.hpp"
+#include "scene/meeting_boxes.hpp"
 #include "solver/portfolio_solver.hpp"
 
 namespace taut::internal {

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
-#include "spacetime/closest.hpp"
+#include "numeric/budget.hpp"
+#include "spacetime/margin.hpp"
+#include "spacetime/stretch.hpp"
 #include "spacetime/walk.hpp"
 #include "taut/check.hpp"
 
@@ -142,6 +145,182 @@ void find_nearest_in_middle(const PairGeometry& geometry, const TreePair& trees,
                             const Stretch& stretch, const ClearanceTolerance& tolerance, Nearest& best) {
   ClearanceOnSegment question(geometry, segment, 0, tolerance, best);
   Walk<ClearanceOnSegment>(trees, segment, question).in_middle_of(stretch);
+}
+
+namespace {
+
+/// Covers the rounding of the few operations on the data of a stretch, and of its directions' lengths.
+constexpr double rounded_up = 1 + 0x1p-40;
+
+/// Where bodies rotate, a stretch is evaluated in parts that are at most this long: its bound is an upper end that
+/// users see.
+constexpr double longest_share = 0.125;
+
+/// The bound for a moving vertex and a resting edge, in the edge's frame.
+double vertex_bound(const RelativePose& relative_pose, double r, Vector vertex, Vector from, Vector to) {
+  const Vector relative = to - from;
+  const double length = std::sqrt(dot(relative, relative));
+  const Vector e{relative.x / length, relative.y / length};
+  const Path path = relative_pose.place(vertex, from);
+  const Parabola along_edge = along(e, path), across = along(turned(e), path);
+  const double before = -along_edge.least(r), behind = -(-along_edge).least(r) - length;
+  const double across_by = std::max(-across.least(r), -(-across).least(r));
+  const double past = std::max({0.0, before, behind}) + relative_pose.error, off = across_by + relative_pose.error;
+  return std::sqrt(past * past + off * off) * rounded_up + length * 0x1p-45;
+}
+
+class PieceBound {
+ public:
+  PieceBound(const PairGeometry& geometry, const TreePair& trees, const ClearanceTolerance& tolerance)
+      : geometry_(geometry), trees_(trees), tolerance_(tolerance) {}
+
+  /// The bound for the edges that are nearest in the middle of the stretch.
+  double of(const MotionSegment& segment, const Stretch& s) const {
+    Nearest nearest;
+    nearest.distance = INFINITY;
+    find_nearest_in_middle(geometry_, trees_, segment, s, tolerance_, nearest);
+    if (!(nearest.distance < INFINITY)) return INFINITY;
+    const Vector a = point(nearest.edge_p), b = point(geometry_.next(nearest.edge_p));
+    const Vector c = point(nearest.edge_q), d = point(geometry_.next(nearest.edge_q));
+    return std::min({vertex_bound(s.in_p, s.r, c, a, b), vertex_bound(s.in_p, s.r, d, a, b),
+                     vertex_bound(s.in_q, s.r, a, c, d), vertex_bound(s.in_q, s.r, b, c, d)});
+  }
+
+ private:
+  Vector point(VertexId v) const { return {geometry_.point(v).x, geometry_.point(v).y}; }
+
+  const PairGeometry& geometry_;
+  const TreePair& trees_;
+  const ClearanceTolerance& tolerance_;
+};
+
+double bound_on_segment(const PieceBound& piece, const MotionSegment& segment, double from, double to) {
+  if (segment.translation)
+    return piece.of(segment, Stretch::of_translation(segment, TranslationPolynomial(segment), from, to));
+  const double longest = (to - from) * longest_share;
+  double most = 0, length = longest;
+  for (double t = from; t < to;) {
+    checkpoint();
+    FrameWindow window(segment, t, to, length);
+    const double end = window.end();
+    const Stretch s =
+        window.smooth() ? Stretch::of_window(segment, window, t, end) : Stretch::of_range(segment, window);
+    most = std::max(most, piece.of(segment, s));
+    length = std::min(longest, window.fitting_length());
+    t = end;
+  }
+  return most;
+}
+
+}  // namespace
+
+double distance_bound(const PairGeometry& geometry, const TreePair& trees, const MotionSegments& segments, double from,
+                      double to, const ClearanceTolerance& tolerance) {
+  const PieceBound piece(geometry, trees, tolerance);
+  double most = 0;
+  for (std::size_t i = segments.first_until(from); i < segments.size(); ++i) {
+    const SegmentPlace at = segments.place(i);
+    if (at.start > to) break;
+    const double start = std::max(from, at.start), end = std::min(to, at.end);
+    if (!at.bridge && start < end) most = std::max(most, bound_on_segment(piece, *segments.hold(i), start, end));
+  }
+  return most;
+}
+
+namespace {
+
+/// From zero, this many halvings pass all margins that differ in the scale of the scene.
+constexpr int most_halvings = 120;
+
+/// Stores the features that come as close as the margin as the nearest found so far.
+void take_approach(const PairGeometry& geometry, const MarginResult& found, double margin, Nearest& best) {
+  const bool first = geometry.in_p(found.pair.vertex);
+  best.distance = margin;
+  best.segment = found.segment;
+  best.parameter = found.hi;
+  best.edge_p = first ? found.pair.vertex : found.pair.peer;
+  best.edge_q = first ? found.pair.peer : found.pair.vertex;
+}
+
+/// Lowers the least distance to its value at some instants. Each evaluation costs far less than a query about a margin.
+/// Such a query shows only that a margin is not kept, and each such answer halves the gap.
+class Evaluations {
+ public:
+  Evaluations(const PairGeometry& geometry, const TreePair& trees, const MotionSegments& segments,
+              const TimeInterval& window, const ClearanceTolerance& tolerance, Nearest& best)
+      : geometry_(geometry), trees_(trees), segments_(segments), window_(window), tolerance_(tolerance), best_(best) {}
+
+  /// Evaluates where bodies rotate with infinite speed. The features that are nearest there need not be nearest a
+  /// rounding error away.
+  void at_singular_ends() {
+    for (std::size_t i = segments_.first_until(window_.lo); i < segments_.size(); ++i) {
+      const SegmentPlace place = segments_.place(i);
+      if (place.start > window_.hi) break;
+      if (place.bridge) continue;
+      const std::shared_ptr<const MotionSegment> segment = segments_.hold(i);
+      for (const double t : {segment->start, segment->end}) {
+        if (segment->singular_at(t)) at(*segment, i, t);
+      }
+    }
+  }
+  /// Evaluates where they come closer than a margin, and then at instants farther and farther from there.
+  void after(const MarginResult& found) {
+    const SegmentPlace place = segments_.place(found.segment);
+    if (place.bridge) return;
+    const std::shared_ptr<const MotionSegment> segment = segments_.hold(found.segment);
+    const double time_ahead = std::fmin(place.end, window_.hi) - found.hi;
+    for (double share = 1; time_ahead > 0 && share > 0x1p-40; share /= 4)
+      at(*segment, found.segment, found.hi + time_ahead * share);
+  }
+
+ private:
+  void at(const MotionSegment& segment, std::size_t index, double t) {
+    if (!(t >= std::fmax(segment.start, window_.lo) && t <= std::fmin(segment.end, window_.hi))) return;
+    checkpoint();
+    Nearest there = best_;
+    find_nearest_in_middle(geometry_, trees_, segment, Stretch::at_instant(segment, t), tolerance_, there);
+    if (!(there.distance < best_.distance)) return;
+    there.segment = index;
+    there.unresolved = best_.unresolved;  // which refers to the whole window
+    best_ = there;
+  }
+
+  const PairGeometry& geometry_;
+  const TreePair& trees_;
+  const MotionSegments& segments_;
+  TimeInterval window_;
+  ClearanceTolerance tolerance_;
+  Nearest& best_;
+};
+
+}  // namespace
+
+std::string resolve_nearest(const PairGeometry& geometry, const TreePair& trees, const MotionSegments& segments,
+                            const TimeInterval& window, const ClearanceTolerance& tolerance, Nearest& best) {
+  double certain = best.unresolved;
+  Evaluations evaluations(geometry, trees, segments, window, tolerance, best);
+  if (certain < tolerance.least(best.distance)) evaluations.at_singular_ends();
+  // Most often doubles have found the least distance, or nearly so, and only the lower bound is missing. So the bound
+  // is searched for at growing distances below the value found, not halfway down to zero.
+  double margin = tolerance.least(best.distance), below = best.distance - margin;
+  for (int step = 0; certain < tolerance.least(best.distance); ++step) {
+    checkpoint();
+    if (!(margin > certain && margin < best.distance) || step == most_halvings)
+      return "doubles do not resolve the distance further";
+    const MarginResult found = first_closer(geometry, trees, segments, constant_margin(margin), window);
+    if (found.outcome == MarginResult::undecided) return found.reason;
+    if (found.outcome == MarginResult::free) {
+      best.unresolved = certain = margin;
+    } else {
+      take_approach(geometry, found, margin, best);
+      evaluations.after(found);
+      below *= 8;
+    }
+    const double halfway = certain + (best.distance - certain) / 2;
+    margin = std::fmin(tolerance.least(best.distance), std::fmax(halfway, best.distance - below));
+  }
+  best.unresolved = INFINITY;
+  return {};
 }
 
 }  // namespace taut::internal::spacetime

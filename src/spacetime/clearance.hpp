@@ -1,10 +1,12 @@
 // The minimum distance of two bodies, by branch and bound over time and pairs of boxes.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
 
+#include "geometry/vector.hpp"
 #include "spacetime/first_contact.hpp"
 #include "taut/check.hpp"
 
@@ -53,5 +55,34 @@ std::string resolve_nearest(const PairGeometry& geometry, const TreePair& trees,
 /// the bound becomes tight as the stretch becomes short.
 double distance_bound(const PairGeometry& geometry, const TreePair& trees, const MotionSegments& segments, double from,
                       double to, const ClearanceTolerance& tolerance);
+
+// The nearest points of two segments.
+
+/// The nearest points of two segments that do not cross, rounded.
+struct Closest {
+  Vector on_p, on_q;
+  double distance = INFINITY;
+
+  static Closest of(Vector a, Vector b, Vector c, Vector d) {
+    Closest best;
+    best.attempt(a, c, d, true);
+    best.attempt(b, c, d, true);
+    best.attempt(c, a, b, false);
+    best.attempt(d, a, b, false);
+    return best;
+  }
+
+ private:
+  void attempt(Vector v, Vector from, Vector to, bool v_of_p) {
+    const Vector e = to - from, w = v - from;
+    const double share = std::clamp(dot(w, e) / dot(e, e), 0.0, 1.0);
+    const Vector foot{from.x + share * e.x, from.y + share * e.y}, relative = v - foot;
+    const double d = std::sqrt(dot(relative, relative));
+    if (!(d < distance)) return;
+    on_p = v_of_p ? v : foot;
+    on_q = v_of_p ? foot : v;
+    distance = d;
+  }
+};
 
 }  // namespace taut::internal::spacetime

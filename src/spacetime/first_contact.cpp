@@ -5,9 +5,9 @@
 #include <limits>
 #include <optional>
 
-#include "numeric/undecided.hpp"
+#include "numeric/errors.hpp"
 #include "scene/placement.hpp"
-#include "spacetime/flat_sides.hpp"
+#include "spacetime/box_separation.hpp"
 #include "spacetime/leaf_test.hpp"
 #include "spacetime/walk.hpp"
 #include "taut/check.hpp"

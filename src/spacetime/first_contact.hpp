@@ -12,6 +12,7 @@
 #include "certificate/precise_time.hpp"
 #include "motion/motion_segments.hpp"
 #include "numeric/errors.hpp"
+#include "scene/body_pair.hpp"
 #include "scene/pair_geometry.hpp"
 #include "spacetime/hierarchy.hpp"
 #include "spacetime/uniform_motion.hpp"

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "scene/body_pair.hpp"
 #include "scene/pair_geometry.hpp"
 #include "spacetime/nested_discs.hpp"
 #include "spacetime/stretch.hpp"

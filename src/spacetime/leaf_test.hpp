@@ -9,7 +9,6 @@
 
 #include "certificate/fast_function.hpp"
 #include "spacetime/crossing.hpp"
-#include "spacetime/crossings_near_end.hpp"
 #include "spacetime/frame_window.hpp"
 
 namespace taut::internal::spacetime {

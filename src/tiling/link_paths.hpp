@@ -4,8 +4,6 @@
 #include <cstddef>
 #include <vector>
 
-#include "tiling/hourglass.hpp"
-#include "tiling/separator_arena.hpp"
 #include "tiling/sleeve.hpp"
 
 namespace taut::internal {

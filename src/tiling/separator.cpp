@@ -8,7 +8,6 @@
 #include "motion/pieces.hpp"
 #include "motion/pose.hpp"
 #include "numeric/errors.hpp"
-#include "numeric/undecided.hpp"
 #include "scene/body_pair.hpp"
 #include "scene/placement.hpp"
 #include "scene/validate_scene.hpp"
@@ -18,8 +17,8 @@
 #include "taut/validate.hpp"
 #include "tiling/link_paths.hpp"
 #include "tiling/root_faces.hpp"
-#include "tiling/separator_arena.hpp"
 #include "tiling/separator_curve.hpp"
+#include "tiling/sleeve.hpp"
 
 namespace taut {
 using namespace internal;

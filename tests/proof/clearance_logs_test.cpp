@@ -10,7 +10,7 @@
 #include <sstream>
 
 #include "log_text.hpp"
-#include "proof/header.hpp"
+#include "proof/format.hpp"
 #include "proof/verifier_world.hpp"
 #include "prove/apart_writer.hpp"
 #include "support/effort.hpp"

@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "proof/bytes.hpp"
-#include "proof/header.hpp"
+#include "proof/format.hpp"
 #include "proof/log_text.hpp"
 #include "taut/error.hpp"
 

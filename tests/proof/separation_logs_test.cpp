@@ -14,7 +14,6 @@
 #include "log_text.hpp"
 #include "proof/bytes.hpp"
 #include "proof/format.hpp"
-#include "proof/header.hpp"
 #include "proof/verifier_world.hpp"
 #include "prove/apart_writer.hpp"
 #include "scene/validate_scene.hpp"

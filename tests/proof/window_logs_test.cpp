@@ -11,10 +11,9 @@
 
 #include "log_text.hpp"
 #include "numeric/budget.hpp"
-#include "proof/header.hpp"
-#include "proof/open_pairs.hpp"
+#include "proof/format.hpp"
 #include "proof/verifier_world.hpp"
-#include "scene/swept_box.hpp"
+#include "scene/meeting_boxes.hpp"
 #include "support/effort.hpp"
 #include "support/large_world.hpp"
 #include "support/rng.hpp"

@@ -7,7 +7,7 @@
 #include <functional>
 #include <random>
 
-#include "geometry/banded_part.hpp"
+#include "geometry/band.hpp"
 #include "geometry/predicates.hpp"
 #include "support/effort.hpp"
 #include "taut/check.hpp"

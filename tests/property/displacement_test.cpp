@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <string>
 
-#include "geometry/displacement_check.hpp"
-#include "geometry/shape_facts.hpp"
+#include "geometry/displacement.hpp"
+#include "geometry/prepared_shape.hpp"
 #include "support/effort.hpp"
 #include "support/exact_ring.hpp"
 #include "support/random_polygons.hpp"

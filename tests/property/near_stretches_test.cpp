@@ -1,6 +1,6 @@
 // Stretches of time outside of which boxes are apart: nothing overlaps there, and intervals of overlap are those that a
 // walk through all of the time finds.
-#include "scene/near_stretches.hpp"
+#include "scene/meeting_boxes.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Bodies in holes of others: discs that decide at once must not decide what boxes and tilings deny.
-#include "spacetime/nested_discs.hpp"
+#include "spacetime/any_rotation.hpp"
 
 #include <gtest/gtest.h>
 

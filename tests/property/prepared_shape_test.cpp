@@ -8,8 +8,8 @@
 
 #include "generators/generators.hpp"
 #include "geometry/prepared_shape.hpp"
-#include "motion/make_segments.hpp"
 #include "motion/motion_segment.hpp"
+#include "motion/motion_segments.hpp"
 #include "motion/pieces.hpp"
 #include "scene/body_pair.hpp"
 #include "solver/run.hpp"

@@ -6,7 +6,7 @@
 #include <iostream>
 
 #include "geometry/hull.hpp"
-#include "solver/pair_instance.hpp"
+#include "solver/pair_solver.hpp"
 #include "support/audit.hpp"
 #include "support/cavity_scenes.hpp"
 #include "support/effort.hpp"

@@ -11,7 +11,7 @@
 #include "proof/separation.hpp"
 #include "proof/stated_box.hpp"
 #include "scene/instance.hpp"
-#include "scene/swept_box.hpp"
+#include "scene/meeting_boxes.hpp"
 #include "support/effort.hpp"
 #include "support/made_world.hpp"
 #include "support/random_scenes.hpp"

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <filesystem>
 
-#include "motion/make_segments.hpp"
 #include "motion/motion_segment.hpp"
+#include "motion/motion_segments.hpp"
 #include "motion/pieces.hpp"
 #include "spacetime/first_contact.hpp"
 #include "support/effort.hpp"

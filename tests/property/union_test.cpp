@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "geometry/predicates.hpp"
-#include "geometry/ring_union.hpp"
+#include "geometry/region_union.hpp"
 #include "scene/fitted_scene.hpp"
 #include "support/effort.hpp"
 #include "support/small_world.hpp"

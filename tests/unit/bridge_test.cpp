@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "generators/generators.hpp"
-#include "motion/make_segments.hpp"
+#include "motion/motion_segments.hpp"
 #include "numeric/budget.hpp"
 #include "scene/body_pair.hpp"
 #include "scene/placement.hpp"

@@ -8,7 +8,6 @@
 #include "certificate/frame_range.hpp"
 #include "certificate/margin_function.hpp"
 #include "certificate/precise_function.hpp"
-#include "certificate/segment_margin.hpp"
 #include "geometry/displacement.hpp"
 #include "motion/taylor_model_cache.hpp"
 #include "scene/placement.hpp"

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "geometry/container.hpp"
-#include "geometry/displaced_orientation.hpp"
+#include "geometry/displacement.hpp"
 #include "support/random_polygons.hpp"
 #include "support/rng.hpp"
 

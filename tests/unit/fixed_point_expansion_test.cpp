@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "certificate/precise_triple.hpp"
-#include "motion/make_segments.hpp"
+#include "motion/motion_segments.hpp"
 #include "motion/pieces.hpp"
 #include "scene/body_pair.hpp"
 #include "support/effort.hpp"

@@ -3,8 +3,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "geometry/part_validation.hpp"
-#include "geometry/touching_rings.hpp"
+#include "geometry/part_rings.hpp"
 #include "taut/validate.hpp"
 
 namespace taut {

@@ -1,4 +1,4 @@
-#include "io/answer_json.hpp"
+#include "io/answer_writer.hpp"
 
 #include <gtest/gtest.h>
 

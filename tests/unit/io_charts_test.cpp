@@ -3,7 +3,7 @@
 
 #include <regex>
 
-#include "draw/svg_plot.hpp"
+#include "draw/svg_canvas.hpp"
 #include "io/number_text.hpp"
 #include "taut/clearance.hpp"
 #include "taut/intervals.hpp"

@@ -8,7 +8,6 @@
 #include <fstream>
 #include <sstream>
 
-#include "io/atomic_file.hpp"
 #include "io/number_text.hpp"
 #include "io/platform.hpp"
 #include "io/text_file.hpp"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "io/keyframe_reader.hpp"
+#include "io/motion_reader.hpp"
 #include "support/bad_input.hpp"
 #include "taut/error.hpp"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "io/keyframe_reader.hpp"
+#include "io/motion_reader.hpp"
 #include "io/outline_reader.hpp"
 #include "support/bad_input.hpp"
 #include "taut/error.hpp"

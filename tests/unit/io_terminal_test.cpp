@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "io/json_text.hpp"
+#include "io/json_writer.hpp"
 #include "io/terminal_text.hpp"
 
 namespace taut::internal::io {

@@ -7,7 +7,7 @@
 #include <iterator>
 #include <optional>
 
-#include "io/json_scanner.hpp"
+#include "io/json_document.hpp"
 #include "support/effort.hpp"
 #include "support/rng.hpp"
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "certificate/precise_function.hpp"
-#include "motion/make_segments.hpp"
 #include "motion/motion_segment.hpp"
+#include "motion/motion_segments.hpp"
 #include "motion/pieces.hpp"
 #include "scene/body_pair.hpp"
 #include "support/random_scenes.hpp"

@@ -1,5 +1,5 @@
 // Lines in time, in doubles: their bounds hold for the same functions in 960 bits.
-#include "certificate/fast_line.hpp"
+#include "certificate/exact_line.hpp"
 
 #include <gtest/gtest.h>
 

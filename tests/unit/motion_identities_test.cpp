@@ -1,8 +1,8 @@
 // Functions that vanish at all times through identities between the motions.
 #include <gtest/gtest.h>
 
+#include "certificate/certificate_function.hpp"
 #include "certificate/precise_function.hpp"
-#include "certificate/vanishing.hpp"
 #include "motion/frame_identities.hpp"
 #include "support/effort.hpp"
 #include "support/rng.hpp"

@@ -4,7 +4,8 @@
 #include <vector>
 
 #include "motion/far_pieces.hpp"
-#include "motion/make_segments.hpp"
+#include "motion/local_time.hpp"
+#include "motion/motion_segments.hpp"
 #include "motion/pieces.hpp"
 #include "support/effort.hpp"
 #include "support/rng.hpp"

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "draw/world_tilings.hpp"
+#include "draw/world_shapes.hpp"
 #include "taut/error.hpp"
 #include "taut/io.hpp"
 #include "taut/simulation.hpp"

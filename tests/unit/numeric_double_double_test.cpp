@@ -1,5 +1,5 @@
 // Sums of two doubles, in exact rational numbers: the bound holds, and is zero only where nothing was rounded.
-#include "numeric/double_double.hpp"
+#include "numeric/exact_sum.hpp"
 
 #include <gmpxx.h>
 #include <gtest/gtest.h>

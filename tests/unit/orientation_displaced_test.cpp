@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "geometry/displaced_orientation.hpp"
 #include "geometry/displacement.hpp"
 #include "support/rng.hpp"
 

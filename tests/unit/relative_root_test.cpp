@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "certificate/precise_triple.hpp"
-#include "motion/make_segments.hpp"
+#include "motion/motion_segments.hpp"
 #include "scene/body_pair.hpp"
 #include "taut/io.hpp"
 

@@ -6,10 +6,10 @@
 #include <string>
 
 #include "certificate/search_from_end.hpp"
-#include "motion/make_segments.hpp"
+#include "motion/motion_segments.hpp"
 #include "numeric/budget.hpp"
 #include "scene/body_pair.hpp"
-#include "spacetime/crossings_near_end.hpp"
+#include "spacetime/crossing.hpp"
 #include "taut/intervals.hpp"
 #include "taut/io.hpp"
 

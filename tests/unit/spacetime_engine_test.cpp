@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "certificate/precise_function.hpp"
-#include "motion/make_segments.hpp"
 #include "motion/motion_segment.hpp"
+#include "motion/motion_segments.hpp"
 #include "motion/pieces.hpp"
 #include "scene/placement.hpp"
 #include "spacetime/box_separation.hpp"

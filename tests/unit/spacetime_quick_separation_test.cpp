@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "motion/make_segments.hpp"
+#include "motion/motion_segments.hpp"
 #include "scene/body_pair.hpp"
 #include "support/effort.hpp"
 #include "support/rng.hpp"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <thread>
 
-#include "motion/make_segments.hpp"
+#include "motion/motion_segments.hpp"
 
 namespace taut::testing {
 using namespace internal;

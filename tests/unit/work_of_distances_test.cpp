@@ -6,7 +6,7 @@
 #include <string>
 
 #include "numeric/budget.hpp"
-#include "solver/pair_instance.hpp"
+#include "solver/pair_solver.hpp"
 #include "spacetime/clearance.hpp"
 #include "taut/clearance.hpp"
 #include "taut/io.hpp"
