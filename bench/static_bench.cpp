@@ -11,7 +11,7 @@
 #include "numeric/errors.hpp"
 #include "scene/placement.hpp"
 #include "session/world_simulation.hpp"
-#include "tiling/checks.hpp"
+#include "tiling/planar_map.hpp"
 #include "tiling/root_faces.hpp"
 
 namespace taut::bench {

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "geometry/hull.hpp"
+#include "geometry/predicates.hpp"
 
 namespace taut::bench {
 using namespace internal;

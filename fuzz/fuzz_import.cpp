@@ -1,6 +1,6 @@
 // Any bytes are a drawing or an InputError, in each of the formats; the bodies of a drawing are valid.
 #include "import/import.hpp"
-#include "io/terminal_text.hpp"
+#include "io/text.hpp"
 #include "require.hpp"
 #include "taut/error.hpp"
 #include "taut/io.hpp"

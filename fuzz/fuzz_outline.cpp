@@ -1,7 +1,7 @@
 // Any bytes are an outline or an InputError, as WKT and as GeoJSON; what is read has as many vertices as it may.
 #include "io/json_writer.hpp"
 #include "io/outline_reader.hpp"
-#include "io/terminal_text.hpp"
+#include "io/text.hpp"
 #include "require.hpp"
 #include "taut/error.hpp"
 

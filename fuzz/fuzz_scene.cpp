@@ -4,7 +4,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "io/terminal_text.hpp"
+#include "io/text.hpp"
 #include "numeric/budget.hpp"
 #include "require.hpp"
 #include "scene/validate_scene.hpp"

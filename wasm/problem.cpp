@@ -1,7 +1,7 @@
 #include "problem.hpp"
 
+#include "io/joint_reader.hpp"
 #include "io/json_writer.hpp"
-#include "io/linked_bodies.hpp"
 #include "taut/io.hpp"
 
 namespace taut::web {

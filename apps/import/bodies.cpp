@@ -14,7 +14,7 @@
 #include "import/overlaps.hpp"
 #include "import/text_encoding.hpp"
 #include "io/json_object.hpp"
-#include "io/number_text.hpp"
+#include "io/text.hpp"
 #include "io/text_file.hpp"
 #include "taut/error.hpp"
 #include "taut/validate.hpp"

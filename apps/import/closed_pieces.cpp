@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "geometry/hull.hpp"
 #include "geometry/predicates.hpp"
 
 namespace taut::drawing {

@@ -13,7 +13,7 @@
 #include "import/dxf_hatch.hpp"
 #include "import/dxf_structure.hpp"
 #include "import/text_encoding.hpp"
-#include "io/number_text.hpp"
+#include "io/text.hpp"
 #include "io/text_file.hpp"
 #include "numeric/budget.hpp"
 #include "taut/error.hpp"

@@ -6,7 +6,7 @@
 #include <map>
 
 #include "import/text_encoding.hpp"
-#include "io/number_text.hpp"
+#include "io/text.hpp"
 #include "io/text_file.hpp"
 #include "taut/error.hpp"
 

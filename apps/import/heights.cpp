@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "geometry/predicates.hpp"
-#include "io/number_text.hpp"
+#include "io/text.hpp"
 #include "io/text_file.hpp"
 #include "taut/error.hpp"
 

@@ -6,7 +6,7 @@
 
 #include "import/import.hpp"
 #include "io/json_writer.hpp"
-#include "io/number_text.hpp"
+#include "io/text.hpp"
 #include "io/text_file.hpp"
 
 namespace taut::drawing {

@@ -3,7 +3,7 @@
 #include <cctype>
 #include <cmath>
 
-#include "io/number_text.hpp"
+#include "io/text.hpp"
 #include "io/text_file.hpp"
 #include "taut/error.hpp"
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <initializer_list>
 
-#include "io/path_data.hpp"
+#include "io/shape_reader.hpp"
 
 namespace taut::drawing {
 using namespace internal;

@@ -15,7 +15,7 @@
 #include "import/svg_surroundings.hpp"
 #include "import/svg_viewport.hpp"
 #include "import/xml_tree.hpp"
-#include "io/number_text.hpp"
+#include "io/text.hpp"
 #include "io/text_file.hpp"
 #include "taut/error.hpp"
 

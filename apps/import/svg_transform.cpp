@@ -6,7 +6,7 @@
 #include <sstream>
 #include <vector>
 
-#include "io/number_text.hpp"
+#include "io/text.hpp"
 
 namespace taut::drawing {
 using namespace internal;

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "import/svg_transform.hpp"
-#include "io/number_text.hpp"
+#include "io/text.hpp"
 #include "io/text_file.hpp"
 #include "taut/error.hpp"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "io/number_text.hpp"
+#include "io/text.hpp"
 #include "io/text_file.hpp"
 #include "taut/error.hpp"
 

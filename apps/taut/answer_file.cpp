@@ -11,7 +11,7 @@
 
 #include "commands.hpp"
 #include "io/json_writer.hpp"
-#include "io/number_text.hpp"
+#include "io/text.hpp"
 #include "io/text_file.hpp"
 #include "scene_argument.hpp"
 

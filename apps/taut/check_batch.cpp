@@ -19,7 +19,7 @@
 #include "io/answer_writer.hpp"
 #include "io/json_writer.hpp"
 #include "io/platform.hpp"
-#include "io/terminal_text.hpp"
+#include "io/text.hpp"
 #include "io/text_file.hpp"
 #include "margin_report.hpp"
 #include "progress.hpp"

@@ -12,7 +12,7 @@
 #include "demo_scenes.hpp"
 #include "generators/generators.hpp"
 #include "io/platform.hpp"
-#include "io/terminal_text.hpp"
+#include "io/text.hpp"
 #include "scene_argument.hpp"
 #include "taut/error.hpp"
 #include "taut/io.hpp"

@@ -5,7 +5,7 @@
 
 #include "ask/scene_pictures.hpp"
 #include "commands.hpp"
-#include "io/terminal_text.hpp"
+#include "io/text.hpp"
 #include "scene/validate_scene.hpp"
 #include "taut/check.hpp"
 #include "taut/error.hpp"

@@ -1,8 +1,8 @@
 #include "envelope_page.hpp"
 
 #include "draw/world_shapes.hpp"
+#include "io/joint_reader.hpp"
 #include "io/json_writer.hpp"
-#include "io/linked_bodies.hpp"
 #include "taut/io.hpp"
 #include "viewer_page.hpp"
 

@@ -13,7 +13,7 @@
 #include "import/heights.hpp"
 #include "import/import.hpp"
 #include "io/platform.hpp"
-#include "io/terminal_text.hpp"
+#include "io/text.hpp"
 #include "progress.hpp"
 #include "scene_argument.hpp"
 #include "taut/error.hpp"

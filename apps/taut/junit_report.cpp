@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "draw/svg_canvas.hpp"
-#include "io/terminal_text.hpp"
+#include "io/text.hpp"
 
 namespace taut::cli {
 using internal::io::escape_xml;

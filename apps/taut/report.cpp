@@ -7,7 +7,7 @@
 
 #include "coverage_text.hpp"
 #include "feature_text.hpp"
-#include "io/number_text.hpp"
+#include "io/text.hpp"
 #include "taut/motions.hpp"
 
 namespace taut::cli {

@@ -7,7 +7,7 @@
 
 #include "commands.hpp"
 #include "io/platform.hpp"
-#include "io/terminal_text.hpp"
+#include "io/text.hpp"
 #include "taut/error.hpp"
 #include "taut/io.hpp"
 

@@ -2,7 +2,7 @@
 
 #include "commands.hpp"
 #include "geometry/prepared_shape.hpp"
-#include "io/trace_json.hpp"
+#include "io/answer_writer.hpp"
 #include "taut/check.hpp"
 #include "taut/io.hpp"
 #include "terminal.hpp"

@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "io/terminal_text.hpp"
+#include "io/text.hpp"
 
 namespace taut::cli {
 using namespace internal;

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "io/answer_writer.hpp"
-#include "io/number_text.hpp"
+#include "io/text.hpp"
 #include "taut/follow.hpp"
 
 namespace taut {

@@ -1,7 +1,7 @@
 // The question about a mechanism itself as text: mechanism.
 #include "ask/question.hpp"
 #include "io/answer_writer.hpp"
-#include "io/number_text.hpp"
+#include "io/text.hpp"
 #include "taut/mechanism_motion.hpp"
 
 namespace taut::internal {

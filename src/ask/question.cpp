@@ -6,7 +6,7 @@
 
 #include "io/json_object.hpp"
 #include "io/json_writer.hpp"
-#include "io/number_text.hpp"
+#include "io/text.hpp"
 #include "taut/error.hpp"
 
 namespace taut::internal {

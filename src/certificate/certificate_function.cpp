@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "motion/frame_identities.hpp"
+#include "motion/frame_model.hpp"
 #include "motion/frame_sample.hpp"
 #include "numeric/exact_number.hpp"
 

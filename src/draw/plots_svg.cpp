@@ -7,7 +7,7 @@
 
 #include "draw/svg_canvas.hpp"
 #include "draw/world_shapes.hpp"
-#include "io/number_text.hpp"
+#include "io/text.hpp"
 #include "scene/untested.hpp"
 #include "taut/clearance.hpp"
 #include "taut/intervals.hpp"

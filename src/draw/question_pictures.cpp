@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "draw/world_marks.hpp"
-#include "io/number_text.hpp"
+#include "io/text.hpp"
 #include "scene/untested.hpp"
 #include "taut/clearance.hpp"
 #include "taut/io.hpp"

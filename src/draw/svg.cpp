@@ -8,7 +8,7 @@
 
 #include "draw/svg_canvas.hpp"
 #include "draw/svg_legend.hpp"
-#include "io/number_text.hpp"
+#include "io/text.hpp"
 #include "io/text_file.hpp"
 #include "taut/io.hpp"
 #include "taut/shape.hpp"

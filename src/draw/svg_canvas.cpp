@@ -6,8 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "io/number_text.hpp"
-#include "io/terminal_text.hpp"
+#include "io/text.hpp"
 
 namespace taut::internal::io {
 namespace {

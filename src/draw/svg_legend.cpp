@@ -7,9 +7,9 @@
 
 #include "draw/svg_canvas.hpp"
 #include "draw/world_shapes.hpp"
-#include "io/number_text.hpp"
+#include "io/text.hpp"
 #include "io/text_file.hpp"
-#include "scene/cross_sections.hpp"
+#include "scene/joined_parts.hpp"
 
 namespace taut::internal::io {
 namespace {

@@ -4,7 +4,7 @@
 #include "draw/svg_legend.hpp"
 #include "draw/world_marks.hpp"
 #include "draw/world_shapes.hpp"
-#include "io/number_text.hpp"
+#include "io/text.hpp"
 #include "taut/io.hpp"
 
 namespace taut {

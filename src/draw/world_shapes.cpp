@@ -12,7 +12,7 @@
 #include "geometry/band.hpp"
 #include "io/text_file.hpp"
 #include "numeric/overloaded.hpp"
-#include "scene/cross_sections.hpp"
+#include "scene/joined_parts.hpp"
 #include "scene/ring_set.hpp"
 
 namespace taut::internal::io {

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdio>
 
-#include "geometry/hull.hpp"
 #include "geometry/part_rings.hpp"
 #include "geometry/predicates.hpp"
 #include "geometry/segment_numbers.hpp"

@@ -6,7 +6,6 @@
 
 #include "geometry/axis_box.hpp"
 #include "geometry/band.hpp"
-#include "geometry/hull.hpp"
 #include "geometry/predicates.hpp"
 #include "numeric/budget.hpp"
 #include "taut/error.hpp"

@@ -1,6 +1,8 @@
 #include "geometry/predicates.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 
 #include "numeric/exact_sum.hpp"
 
@@ -41,6 +43,76 @@ int side_of_ring(const Polygon& ring, const Point& p) {
     if ((a.y > p.y) != (b.y > p.y) && (side > 0) == (a.y < b.y)) odd = !odd;
   }
   return odd ? 1 : -1;
+}
+
+namespace {
+
+double distance_squared(const Point& a, const Point& b) {
+  const double dx = b.x - a.x, dy = b.y - a.y;
+  return dx * dx + dy * dy;
+}
+
+/// Appends `next` to a chain whose turns are to stay strictly left; the first `fixed` indices are never dropped.
+void extend_chain(const std::vector<Point>& points, std::size_t fixed, int next, std::vector<int>& chain) {
+  while (chain.size() > fixed &&
+         orientation(points[chain[chain.size() - 2]], points[chain[chain.size() - 1]], points[next]) <= 0)
+    chain.pop_back();
+  chain.push_back(next);
+}
+
+}  // namespace
+
+std::vector<int> convex_hull(const std::vector<Point>& points) {
+  std::vector<int> order(points.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int>(i);
+  std::sort(order.begin(), order.end(), [&](int a, int b) {
+    if (points[a] != points[b]) return lexicographically_less(points[a], points[b]);
+    return a < b;
+  });
+  order.erase(std::unique(order.begin(), order.end(), [&](int a, int b) { return points[a] == points[b]; }),
+              order.end());
+  if (order.size() < 2) return order;
+
+  std::vector<int> hull;
+  for (const int i : order) extend_chain(points, 1, i, hull);  // lower chain, from left to right
+  const std::size_t lower = hull.size();
+  for (std::size_t k = order.size() - 1; k-- > 0;) extend_chain(points, lower, order[k], hull);  // upper, back again
+  hull.pop_back();                                                                               // the first one again
+  return hull;
+}
+
+int polygon_orientation(const Polygon& polygon) {
+  const std::size_t n = polygon.size();
+  if (n < 3) return 0;
+  std::size_t first = 0;
+  for (std::size_t i = 1; i < n; ++i)
+    if (lexicographically_less(polygon[i], polygon[first])) first = i;
+  // An extreme point: its two edges lead to larger points, and were they collinear, they would overlap.
+  return orientation(polygon[(first + n - 1) % n], polygon[first], polygon[(first + 1) % n]);
+}
+
+double diameter_squared(const std::vector<Point>& points) {
+  const std::vector<int> hull = convex_hull(points);
+  const std::size_t n = hull.size();
+  if (n < 2) return 0;
+  const auto at = [&](std::size_t i) -> const Point& { return points[hull[i % n]]; };
+  if (n == 2) return distance_squared(at(0), at(1));
+
+  double best = 0;
+  std::size_t far = 1;
+  for (std::size_t i = 0; i < n; ++i) {
+    best = std::max(best, distance_squared(at(i + 1), at(far)));
+    // Walk while the next vertex is further from edge i; every vertex on the way is antipodal to its start.
+    while (cross_sign(at(i), at(i + 1), at(far), at(far + 1)) > 0) {
+      far = (far + 1) % n;
+      best = std::max({best, distance_squared(at(i), at(far)), distance_squared(at(i + 1), at(far))});
+    }
+    // Parallel edges: the far end of the opposite edge is antipodal too.
+    if (cross_sign(at(i), at(i + 1), at(far), at(far + 1)) == 0)
+      best = std::max({best, distance_squared(at(i), at(far + 1)), distance_squared(at(i + 1), at(far + 1))});
+    best = std::max(best, distance_squared(at(i), at(far)));
+  }
+  return best;
 }
 
 }  // namespace taut::internal

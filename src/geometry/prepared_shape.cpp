@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "geometry/hull.hpp"
+#include "geometry/predicates.hpp"
 #include "taut/error.hpp"
 #include "taut/validate.hpp"
 

@@ -4,7 +4,7 @@
 
 #include "io/answer_writer.hpp"
 #include "io/json_writer.hpp"
-#include "io/number_text.hpp"
+#include "io/text.hpp"
 #include "taut/cells.hpp"
 #include "taut/clearance.hpp"
 #include "taut/scene.hpp"

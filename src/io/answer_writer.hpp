@@ -10,6 +10,7 @@
 #include "taut/check.hpp"
 #include "taut/clearance.hpp"
 #include "taut/scene.hpp"
+#include "taut/tracer.hpp"
 
 namespace taut::internal::io {
 
@@ -95,3 +96,20 @@ std::string pair_answer_json(const Scene& scene, const PairAnswer& pair);
 }  // namespace io
 
 }  // namespace taut::internal
+
+namespace taut::internal::io {
+
+// Events as `taut trace` prints them.
+
+/// Writes events of one scene as JSON objects, each on one line, without a line break.
+class TraceWriter {
+ public:
+  explicit TraceWriter(const Scene& scene);
+
+  std::string line(const TraceEvent& event) const;
+
+ private:
+  std::vector<std::string> names_;  ///< of the bodies, quoted
+};
+
+}  // namespace taut::internal::io

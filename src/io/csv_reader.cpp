@@ -4,7 +4,7 @@
 
 #include "io/json_object.hpp"
 #include "io/motion_reader.hpp"
-#include "io/number_text.hpp"
+#include "io/text.hpp"
 #include "io/text_file.hpp"
 #include "taut/error.hpp"
 

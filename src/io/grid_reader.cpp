@@ -6,9 +6,9 @@
 #include <optional>
 #include <utility>
 
-#include "io/number_text.hpp"
 #include "io/outline_reader.hpp"
 #include "io/platform.hpp"
+#include "io/text.hpp"
 #include "io/text_file.hpp"
 #include "taut/error.hpp"
 #include "taut/grid.hpp"

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "io/json_document.hpp"
+#include "taut/envelope.hpp"
 #include "taut/path.hpp"
 
 namespace taut::internal::io {
@@ -20,5 +22,14 @@ std::optional<JointMotion> read_joint_motion(const JsonDocument& document, std::
 void read_periodic(const JsonDocument& document, std::size_t token, PathProblem& problem);
 void read_start(const JsonDocument& document, std::size_t token, PathProblem& problem);
 void read_goal(const JsonDocument& document, std::size_t token, PathProblem& problem);
+
+// Bodies that follow joints, for pages that draw them at any values of these.
+
+/// An array, an object for each body: its "name"; "parts", of each its outline and holes; the place of its "parent"
+/// among the bodies; "motion", the outermost first: by "times" degrees for each unit of the "joint" of that number, and
+/// "plus" degrees, about the "pivot"; or so far along the "direction". Of links of a mechanism there are "values"
+/// instead of "times" and "plus", evenly over the joint's range, for pictures. Parents and motions are left out where
+/// there are none.
+std::string linked_bodies_json(const Linkage& linkage);
 
 }  // namespace taut::internal::io

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-#include "io/number_text.hpp"
+#include "io/text.hpp"
 
 namespace taut::internal::io {
 namespace {

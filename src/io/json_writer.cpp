@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "io/terminal_text.hpp"
+#include "io/text.hpp"
 
 namespace taut::internal::io {
 

@@ -8,7 +8,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "io/number_text.hpp"
+#include "io/text.hpp"
 #include "taut/geometry.hpp"
 #include "taut/scene.hpp"
 

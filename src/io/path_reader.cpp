@@ -1,7 +1,7 @@
 // Outlines from the data of an SVG path.
 #include "geometry/part_rings.hpp"
-#include "io/number_text.hpp"
-#include "io/path_data.hpp"
+#include "io/shape_reader.hpp"
+#include "io/text.hpp"
 #include "numeric/overloaded.hpp"
 #include "taut/error.hpp"
 #include "taut/outline.hpp"

@@ -2,9 +2,12 @@
 #pragma once
 
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "io/json_object.hpp"
 #include "taut/io.hpp"
+#include "taut/outline.hpp"
 
 namespace taut::internal::io {
 
@@ -20,5 +23,17 @@ void read_shape(const JsonDocument& document, const JsonObject& object, std::siz
 
 /// Reads [lo, hi], of which null is no end. Throws InputError.
 Layers read_layers(const JsonDocument& document, std::size_t token, const std::string& path);
+
+// The data of an SVG path.
+
+/// At least one segment; closed by Z, or open.
+struct Subpath {
+  Outline outline;
+  bool closed = false;
+};
+
+/// Throws InputError, which names `place`, where the data cannot be read: browsers draw what comes before, which is
+/// half of a part.
+std::vector<Subpath> read_path_data(std::string_view data, const std::string& place);
 
 }  // namespace taut::internal::io

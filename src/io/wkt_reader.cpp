@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "geometry/part_rings.hpp"
-#include "io/number_text.hpp"
 #include "io/outline_reader.hpp"
+#include "io/text.hpp"
 #include "io/text_file.hpp"
 #include "taut/error.hpp"
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "certificate/instant.hpp"
-#include "geometry/hull.hpp"
+#include "geometry/predicates.hpp"
 #include "numeric/errors.hpp"
 #include "scene/placement.hpp"
 #include "tiling/prepared_tiling.hpp"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "motion/frame_identities.hpp"
+#include "motion/frame_model.hpp"
 #include "motion/frame_sample.hpp"
 #include "motion/uniform_rotation.hpp"
 

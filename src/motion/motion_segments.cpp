@@ -6,7 +6,6 @@
 #include "motion/far_pieces.hpp"
 #include "motion/local_time.hpp"
 #include "motion/pieces.hpp"
-#include "motion/repetition.hpp"
 
 namespace taut::internal {
 namespace {

@@ -48,7 +48,7 @@ class MotionSegments {
   SegmentPlace place(std::size_t k) const;
   /// The number of the first segment that ends at t or later; size() if there is none.
   std::size_t first_until(double t) const;
-  /// From when on bodies are only where they have been before: see motion/repetition.hpp.
+  /// From when on bodies are only where they have been before: see motion/far_pieces.hpp.
   double repeats_from() const;
   /// Drops the segments that nobody holds. They are constructed again, identically, when they are asked for.
   void give_back() const;

@@ -1,10 +1,18 @@
 #include "motion/pieces.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
+#include <span>
+#include <sstream>
+#include <utility>
 
 #include "motion/cosine_pieces.hpp"
+#include "motion/polynomial_search.hpp"
 #include "motion/pose.hpp"
+#include "numeric/budget.hpp"
+#include "taut/error.hpp"
 
 namespace taut::internal {
 namespace {
@@ -137,6 +145,139 @@ double joint_room(const MotionPiece& before, const MotionPiece& after, const Axi
                   double extent) {
   return joint_tolerance * extent +
          joint_rounding * (magnitude_of(before, polygon, t) + magnitude_of(after, polygon, t));
+}
+
+namespace {
+
+std::string number(double x) {
+  std::ostringstream s;
+  s.precision(17);
+  s << x;
+  return s.str();
+}
+
+class PieceCheck {
+ public:
+  /// Without times of a piece that is past: what a rotation is then does not matter.
+  PieceCheck(const MotionPiece& piece, std::string place, std::optional<std::pair<double, double>> times = {})
+      : piece_(piece), place_(std::move(place)), times_(times) {}
+
+  void run() const {
+    coefficients("x", piece_.x);
+    coefficients("y", piece_.y);
+    usable(piece_.origin, [] { return std::string("origin"); });
+    coefficients("pivot", std::array{piece_.pivot.x, piece_.pivot.y});
+    coefficients("orbit.angle", piece_.orbit.angle);
+    coefficients("orbit.centre", std::array{piece_.orbit.centre.x, piece_.orbit.centre.y});
+    std::visit(
+        Overloaded{[](const NoRotation&) {}, [&](const AngleRotation& r) { coefficients("rotation.angle", r.angle); },
+                   [&](const HalfAngleRotation& r) { coefficients("rotation.half_angle_tangent", r.s); },
+                   [&](const DirectionRotation& r) { direction(r); }, [&](const CosineRotation& r) { cosine(r); },
+                   [](const JointFollower&) {}},
+        piece_.rotation);
+  }
+
+ private:
+  template <class Name>
+  void usable(double x, const Name& name) const {
+    if (x == 0 || (std::fabs(x) <= 0x1p400 && std::fabs(x) >= 0x1p-400)) return;
+    if (!std::isfinite(x)) throw InputError(place_, name() + " is not a finite number", "write finite numbers");
+    throw InputError(
+        place_,
+        name() + " = " + number(x) + " is outside the range of magnitudes that taut computes with, 2^-400 to 2^400",
+        "choose other units");
+  }
+
+  void coefficients(const char* what, std::span<const double> c) const {
+    for (std::size_t i = 0; i < c.size(); ++i)
+      usable(c[i], [&] { return std::string(what) + "[" + std::to_string(i) + "]"; });
+    if (c.size() > max_degree + 1)
+      throw InputError(place_, std::string(what) + " has degree " + std::to_string(c.size() - 1),
+                       "the highest degree supported is " + std::to_string(max_degree));
+  }
+
+  void direction(const DirectionRotation& r) const {
+    coefficients("rotation.direction.a", r.a);
+    coefficients("rotation.direction.b", r.b);
+    if (!times_) return;
+    if (const auto t = searched([&] { return common_zero(r.a, r.b, piece_.origin, times_->first, times_->second); })) {
+      throw InputError(place_, "the direction (a, b) vanishes near t = " + number(*t),
+                       "a direction must have a length at all times of its piece");
+    }
+  }
+
+  void cosine(const CosineRotation& r) const {
+    coefficients("rotation.cosine", r.a);
+    if (!times_) return;
+    if (const auto t = searched([&] { return beyond_one(r.a, piece_.origin, times_->first, times_->second); })) {
+      throw InputError(
+          place_,
+          "the cosine is beyond 1 in magnitude at t = " + number(*t) + ": " +
+              number(Jet<double>::polynomial(r.a, time_since(Ball<double>::exact(*t), piece_.origin)).v.mid),
+          "a cosine must stay within [-1, 1] at all times of its piece");
+    }
+  }
+
+  /// What a search finds. One that did not come to an end has shown nothing, and nothing is accepted on its account.
+  template <class Search>
+  std::optional<double> searched(const Search& search) const {
+    try {
+      return search();
+    } catch (const SearchExhausted&) {
+      throw InputError(place_, "the rotation is too intricate to decide whether it is well defined",
+                       "divide the motion into pieces, or lower the degree");
+    }
+  }
+
+  const MotionPiece& piece_;
+  std::string place_;
+  std::optional<std::pair<double, double>> times_;
+};
+
+}  // namespace
+
+void validate_motion(const Motion& motion, const std::string& body, const AxisBox& polygon, double start, double end,
+                     double extent) {
+  const std::size_t n = motion.pieces.size();
+  const auto place = [&](std::size_t i) {
+    return body + ": motion" + (n > 1 ? " piece " + std::to_string(i) : std::string());
+  };
+  double from = start;
+  for (std::size_t i = 0; i < n; ++i) {
+    checkpoint();
+    const MotionPiece& piece = motion.pieces[i];
+    if (std::isnan(piece.until)) throw InputError(place(i), "`until` is not a number");
+    if (i > 0 && piece.until <= motion.pieces[i - 1].until)
+      throw InputError(place(i),
+                       "`until` " + number(piece.until) + " does not come after that of the piece before, " +
+                           number(motion.pieces[i - 1].until),
+                       "pieces are in order of time");
+    const bool last = i + 1 == n;
+    if (last && piece.until < end)
+      throw InputError(place(i),
+                       "the motion ends at " + number(piece.until) + ", before the scene does, at " + number(end),
+                       "leave out `until` in the last piece, or add a piece");
+    if (piece.until <= start && !last) {
+      PieceCheck(piece, place(i)).run();
+      continue;
+    }
+    // What comes after the scene's end does not matter; a piece that begins there does.
+    if (i > 0 && motion.pieces[i - 1].until > end) break;
+    const double to = std::min(piece.until, end);
+    PieceCheck(piece, place(i), std::pair{from, to}).run();
+    if (!last && piece.until < end) {
+      const double gap = joint_gap(piece, motion.pieces[i + 1], polygon, piece.until);
+      const double room = joint_room(piece, motion.pieces[i + 1], polygon, piece.until, extent);
+      if (!(gap <= room))
+        throw InputError(
+            place(i),
+            "the motion jumps by " + number(gap) + " at t = " + number(piece.until) +
+                ", where the next piece takes over",
+            "pieces must join up to rounding (" + number(room) +
+                " here): coefficients are in powers of t, or of t - origin where the piece has an \"origin\"");
+    }
+    from = to;
+  }
 }
 
 }  // namespace taut::internal

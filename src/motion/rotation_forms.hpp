@@ -1,5 +1,5 @@
 // What every form of rotation has to define. A program with a new form in Rotation does not compile before it
-// is answered for here, in rotation_jet() (pose.hpp), in validate_motion.cpp and where scenes are
+// is answered for here, in rotation_jet() (pose.hpp), in pieces.cpp and where scenes are
 // read and written.
 #pragma once
 

@@ -9,7 +9,7 @@
 #include "proof/bytes.hpp"
 #include "proof/curved_scene.hpp"
 #include "proof/sha256.hpp"
-#include "scene/cross_sections.hpp"
+#include "scene/joined_parts.hpp"
 #include "scene/mechanism_lock.hpp"
 #include "scene/ring_set.hpp"
 #include "scene/untested.hpp"

@@ -7,8 +7,8 @@
 #include <set>
 #include <string>
 
+#include "motion/far_pieces.hpp"
 #include "motion/pieces.hpp"
-#include "motion/repetition.hpp"
 #include "taut/shape.hpp"
 
 namespace taut::internal::proof {

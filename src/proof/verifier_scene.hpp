@@ -50,7 +50,7 @@ class VerifierScene {
   Coverage coverage() const;
   /// In their roles: P is the body with the larger diameter, the first one if equal.
   BodyPair pair(int a, int b) const;
-  /// From when on the two bodies are only where they have been before: see motion/repetition.hpp.
+  /// From when on the two bodies are only where they have been before: see motion/far_pieces.hpp.
   double repeats_from(int a, int b) const;
   /// From start to end, in a frame that parents which both have are not in.
   MotionSegments segments(const BodyPair& pair) const;

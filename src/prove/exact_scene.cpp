@@ -8,7 +8,7 @@
 #include "motion/pieces.hpp"
 #include "motion/rotation_forms.hpp"
 #include "numeric/budget.hpp"
-#include "scene/cross_sections.hpp"
+#include "scene/joined_parts.hpp"
 #include "taut/error.hpp"
 
 namespace taut::internal {

@@ -4,7 +4,7 @@
 #include "numeric/budget.hpp"
 #include "numeric/errors.hpp"
 #include "prove/proof_writer.hpp"
-#include "prove/prove_separations.hpp"
+#include "prove/separations_writer.hpp"
 #include "scene/curved_world.hpp"
 #include "scene/mechanism_lock.hpp"
 #include "scene/validate_scene.hpp"

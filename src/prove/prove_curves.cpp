@@ -1,4 +1,4 @@
-#include "prove/prove_separations.hpp"
+#include "prove/separations_writer.hpp"
 
 #include <functional>
 #include <optional>

@@ -1,4 +1,4 @@
-#include "prove/prove_separations.hpp"
+#include "prove/separations_writer.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,6 @@
 #include "numeric/errors.hpp"
 #include "proof/format.hpp"
 #include "proof/mechanism_cells.hpp"
-#include "prove/separations_writer.hpp"
 #include "scene/curved_world.hpp"
 #include "scene/mechanism_lock.hpp"
 #include "spacetime/first_contact.hpp"

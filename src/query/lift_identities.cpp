@@ -1,7 +1,7 @@
 // What holds of lifts at all times: exactly, by the coefficients of the frame's functions.
 #include <algorithm>
 
-#include "motion/frame_identities.hpp"
+#include "motion/frame_model.hpp"
 #include "motion/pieces.hpp"
 #include "query/lift_functions.hpp"
 

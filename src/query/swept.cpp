@@ -8,11 +8,11 @@
 #include <utility>
 
 #include "geometry/axis_box.hpp"
-#include "geometry/hull.hpp"
 #include "geometry/part_rings.hpp"
+#include "geometry/predicates.hpp"
 #include "geometry/region_union.hpp"
+#include "motion/far_pieces.hpp"
 #include "motion/pose.hpp"
-#include "motion/repetition.hpp"
 #include "numeric/budget.hpp"
 #include "scene/curved_world.hpp"
 #include "scene/instance.hpp"

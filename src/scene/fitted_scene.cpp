@@ -7,8 +7,8 @@
 #include <string>
 
 #include "geometry/displacement.hpp"
-#include "geometry/hull.hpp"
-#include "scene/cross_sections.hpp"
+#include "geometry/predicates.hpp"
+#include "scene/joined_parts.hpp"
 #include "scene/ring_set.hpp"
 #include "scene/validate_scene.hpp"
 #include "taut/error.hpp"

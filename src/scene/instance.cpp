@@ -6,9 +6,9 @@
 #include <span>
 #include <unordered_map>
 
+#include "motion/far_pieces.hpp"
 #include "motion/pieces.hpp"
-#include "motion/repetition.hpp"
-#include "scene/cross_sections.hpp"
+#include "scene/joined_parts.hpp"
 #include "taut/shape.hpp"
 
 namespace taut::internal {

@@ -87,7 +87,7 @@ class Instance {
   std::vector<int> followers(int body) const;
 
   BodyPair pair(int a, int b) const;
-  /// From when on the two bodies are only where they have been before: see motion/repetition.hpp.
+  /// From when on the two bodies are only where they have been before: see motion/far_pieces.hpp.
   double repeats_from(int a, int b) const;
   /// Of that pair, from start to end.
   MotionSegments segments(const BodyPair& pair) const { return segments_of(pair, start_, end_); }

@@ -14,8 +14,8 @@
 
 #include "geometry/container.hpp"
 #include "geometry/displacement.hpp"
-#include "geometry/hull.hpp"
 #include "geometry/ids.hpp"
+#include "geometry/predicates.hpp"
 #include "geometry/prepared_shape.hpp"
 #include "numeric/budget.hpp"
 #include "scene/body_pair.hpp"

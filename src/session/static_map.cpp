@@ -6,7 +6,7 @@
 #include "motion/pieces.hpp"
 #include "numeric/budget.hpp"
 #include "numeric/errors.hpp"
-#include "scene/cross_sections.hpp"
+#include "scene/joined_parts.hpp"
 #include "scene/untested.hpp"
 #include "scene/validate_scene.hpp"
 #include "session/static_map_parts.hpp"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "geometry/box_tree.hpp"
-#include "motion/repetition.hpp"
+#include "motion/far_pieces.hpp"
 #include "scene/free_cells.hpp"
 #include "solver/pair_solver.hpp"
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/hull.hpp"
 #include "geometry/predicates.hpp"
 #include "numeric/budget.hpp"
 #include "numeric/real.hpp"

@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-#include "io/trace_json.hpp"
+#include "io/answer_writer.hpp"
 #include "proof/bytes.hpp"
 #include "taut/clearance.hpp"
 #include "taut/error.hpp"

@@ -18,7 +18,7 @@
 #include "taut/io.hpp"
 #include "taut/separator.hpp"
 #include "taut/simulation.hpp"
-#include "tiling/checks.hpp"
+#include "tiling/planar_map.hpp"
 #include "tiling/root_faces.hpp"
 
 namespace taut::testing {

@@ -25,7 +25,7 @@
 #include "taut/proof.hpp"
 #include "taut/separator.hpp"
 #include "taut/simulation.hpp"
-#include "tiling/checks.hpp"
+#include "tiling/planar_map.hpp"
 #include "tiling/prepared_tiling.hpp"
 
 namespace taut::testing {

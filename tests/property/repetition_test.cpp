@@ -6,7 +6,7 @@
 #include <numeric>
 #include <sstream>
 
-#include "motion/repetition.hpp"
+#include "motion/far_pieces.hpp"
 #include "numeric/budget.hpp"
 #include "support/effort.hpp"
 #include "support/random_polygons.hpp"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <iostream>
 
-#include "geometry/hull.hpp"
+#include "geometry/predicates.hpp"
 #include "solver/pair_solver.hpp"
 #include "support/audit.hpp"
 #include "support/cavity_scenes.hpp"

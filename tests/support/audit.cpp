@@ -4,7 +4,7 @@
 
 #include "numeric/errors.hpp"
 #include "scene/placement.hpp"
-#include "tiling/checks.hpp"
+#include "tiling/planar_map.hpp"
 #include "tiling/prepared_tiling.hpp"
 
 namespace taut::testing {

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <utility>
 
-#include "geometry/hull.hpp"
+#include "geometry/predicates.hpp"
 #include "scene/validate_scene.hpp"
 #include "taut/error.hpp"
 

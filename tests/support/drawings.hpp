@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "import/import.hpp"
-#include "io/number_text.hpp"
+#include "io/text.hpp"
 
 namespace taut::testing {
 using namespace internal;

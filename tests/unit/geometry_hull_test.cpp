@@ -1,5 +1,5 @@
 // Convex hulls, orientation and diameter, against brute force.
-#include "geometry/hull.hpp"
+#include "geometry/predicates.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,6 @@
 #include <cmath>
 #include <random>
 #include <vector>
-
-#include "geometry/predicates.hpp"
 
 namespace taut {
 using namespace internal;

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "import/heights.hpp"
-#include "io/number_text.hpp"
+#include "io/text.hpp"
 #include "support/drawings.hpp"
 #include "taut/error.hpp"
 #include "taut/io.hpp"

@@ -4,7 +4,7 @@
 #include <regex>
 
 #include "draw/svg_canvas.hpp"
-#include "io/number_text.hpp"
+#include "io/text.hpp"
 #include "taut/clearance.hpp"
 #include "taut/intervals.hpp"
 #include "taut/io.hpp"

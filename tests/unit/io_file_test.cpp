@@ -8,8 +8,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "io/number_text.hpp"
 #include "io/platform.hpp"
+#include "io/text.hpp"
 #include "io/text_file.hpp"
 #include "taut/error.hpp"
 #include "taut/io.hpp"

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/json_writer.hpp"
-#include "io/terminal_text.hpp"
+#include "io/text.hpp"
 
 namespace taut::internal::io {
 namespace {

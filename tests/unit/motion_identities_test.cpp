@@ -3,7 +3,7 @@
 
 #include "certificate/certificate_function.hpp"
 #include "certificate/precise_function.hpp"
-#include "motion/frame_identities.hpp"
+#include "motion/frame_model.hpp"
 #include "support/effort.hpp"
 #include "support/rng.hpp"
 

@@ -10,7 +10,7 @@
 #include "geometry/displacement.hpp"
 #include "scene/placement.hpp"
 #include "support/rng.hpp"
-#include "tiling/checks.hpp"
+#include "tiling/planar_map.hpp"
 #include "tiling/prepared_tiling.hpp"
 #include "tiling/root_faces.hpp"
 #include "tiling/sweep_status.hpp"
