@@ -280,7 +280,8 @@ let read text =
        List.iter (fun (key, what) -> if Json.find m key <> None then not_covered what)
          [ ("joints", "joints instead of a time"); ("mechanism", "a mechanism") ]
    | _ -> ());
-  let m = Json.members "scene" [ "format"; "time"; "bodies"; "ignore"; "at_rest"; "id"; "$schema" ] v in
+  (* An exact log says nothing of distances: "clearances" means nothing here. *)
+  let m = Json.members "scene" [ "format"; "time"; "bodies"; "ignore"; "clearances"; "at_rest"; "id"; "$schema" ] v in
   if Json.get "scene" m "format" <> Json.String "taut-scene/1" then Json.error "format" "expected \"taut-scene/1\"";
   let start, stop = point "time" (Json.get "scene" m "time") in
   if Q.lt (rational stop) (rational start) then Json.error "time" "the end is before the start";
