@@ -31,7 +31,7 @@ Errors are TautError; InputError, with place, problem and hint, is a ValueError 
 moments. Functions may be called from several threads, which then run at the same time.
 """
 
-from . import _taut2d, directions, followers, linkages, margins, mechanisms, paths, questions
+from . import _taut2d, directions, followers, linkages, margins, motions, mechanisms, paths, questions
 from .answers import (Answer, Contact, Coverage, EdgeRef, Geometry, PairAnswer, Proof, ProvedCloseness, Verified,
                       VertexRef)
 from .asking import check, prove, verify
@@ -47,8 +47,7 @@ from .linkages import *
 from .many import Outcome, answer_dtype, check_many
 from .maps import Mover, StaticMap
 from .margins import *
-from .motions import (Angle, Arc, Cosine, CsvKeyframes, Direction, Free, HalfAngleTangent, Keyframe, Keyframes, Orbit, Pieces,
-                      Polynomial, Revolute, Slide, Sweep, Turn, Velocity)
+from .motions import *
 from .parts import GeojsonFile, Part, Path, WktFile
 from .paths import *
 from .pictures import Pose
@@ -66,20 +65,20 @@ from .viewer import Viewer
 
 # A module that is imported by a star lists its own names.
 __all__ = [
-    "Angle", "Answer", "Arc", "Body", "Cells", "Contact", "ContactMotion", "Cosine", "Coverage", "Crossing", "CsvKeyframes",
-    "Direction", "Drawing", "DrawingBody", "DrawingFile", "EdgeRef", "Free", "Gap", "GeojsonFile", "Geometry",
-    "HalfAngleTangent", "InputError", "InternalError", "Keyframe", "KeyframeRows", "Keyframes", "Mover", "OpenLine",
-    "Orbit", "Outcome", "PairAnswer", "PairClearance", "Part", "Path", "Pieces", "Polynomial", "Pose", "Proof", "ProvedCloseness",
-    "Repair", "Revolute", "Scene", "Shape", "SimulatedContact", "Simulation", "Skipped", "Slide", "StaticMap", "Sweep", "SweepAnswers", "SweptRegion",
-    "TautError", "Tiling", "TilingEdge", "TilingFace", "Turn", "UndecidedError", "Velocity", "VelocityRows",
-    "Verified", "VertexRef", "Viewer", "WktFile", "answer_dtype", "answers_frame", "cells", "check", "check_many", "draw",
-    "flatten", "prove", "read_drawing", "scene_from_frame", "sweep", "swept", "verify",
+    "Answer", "Body", "Cells", "Contact", "ContactMotion", "Coverage", "Crossing", "Drawing", "DrawingBody",
+    "DrawingFile", "EdgeRef", "Gap", "GeojsonFile", "Geometry", "InputError", "InternalError", "KeyframeRows",
+    "Mover", "OpenLine", "Outcome", "PairAnswer", "PairClearance", "Part", "Path", "Pose", "Proof",
+    "ProvedCloseness", "Repair", "Scene", "Shape", "SimulatedContact", "Simulation", "Skipped", "StaticMap",
+    "SweepAnswers", "SweptRegion", "TautError", "Tiling", "TilingEdge", "TilingFace", "UndecidedError",
+    "VelocityRows", "Verified", "VertexRef", "Viewer", "WktFile", "answer_dtype", "answers_frame", "cells", "check",
+    "check_many", "draw", "flatten", "prove", "read_drawing", "scene_from_frame", "sweep", "swept", "verify",
 ]
 __all__ += directions.__all__
 __all__ += followers.__all__
 __all__ += mechanisms.__all__
 __all__ += linkages.__all__
 __all__ += margins.__all__
+__all__ += motions.__all__
 __all__ += paths.__all__
 __all__ += questions.__all__
 

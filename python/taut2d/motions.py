@@ -9,14 +9,14 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, Optional, Union
+from typing import Any, ClassVar, Optional, Union, get_args
 
 from .errors import InputError
 from ._numbers import number, numbers, path_text, point
 
 __all__ = [
-    "Angle", "Arc", "Cosine", "CsvKeyframes", "Direction", "Free", "HalfAngleTangent", "Keyframe", "Keyframes", "Motion",
-    "Orbit", "Pieces", "Polynomial", "Revolute", "Rotation", "Slide", "Sweep", "Turn", "Velocity",
+    "Angle", "Arc", "Cosine", "CsvKeyframes", "Direction", "Free", "HalfAngleTangent", "Keyframe", "Keyframes", "Orbit",
+    "Pieces", "Polynomial", "Revolute", "Slide", "Sweep", "Turn", "Velocity",
 ]
 
 # What is accepted; once made, fields hold tuples of floats.
@@ -178,57 +178,54 @@ class Sweep:
         return {"sweep": {"from_deg": self.from_deg, "to_deg": self.to_deg, **_pivot_json(self.pivot)}}
 
 
-@dataclass(frozen=True)
-class Angle:
-    """A rotation by an angle in radians, a polynomial in time: coefficients in ascending powers."""
+class _RotationForm:
+    """What forms of rotation have in common: dataclasses whose fields are polynomials. In scene files, a form of one
+    polynomial is ``{key: [...]}``, one of several ``{key: {field: [...], ...}}``."""
 
-    angle: Coefficients
+    _key: ClassVar[str]
 
     def __post_init__(self) -> None:
-        _set(self, angle=numbers(self.angle, "angle"))
+        _set(self, **{name: numbers(value, name) for name, value in vars(self).items()})
 
     def _json(self) -> dict[str, Any]:
-        return {"angle": list(self.angle)}
+        polynomials = {name: list(value) for name, value in vars(self).items()}
+        if len(polynomials) > 1:
+            return {self._key: polynomials}
+        (only,) = polynomials.values()
+        return {self._key: only}
 
 
 @dataclass(frozen=True)
-class Direction:
+class Angle(_RotationForm):
+    """A rotation by an angle in radians, a polynomial in time: coefficients in ascending powers."""
+
+    _key = "angle"
+    angle: Coefficients
+
+
+@dataclass(frozen=True)
+class Direction(_RotationForm):
     """A rotation that takes the x axis to the direction (a, b), polynomials in time that never vanish together."""
 
+    _key = "direction"
     a: Coefficients
     b: Coefficients
 
-    def __post_init__(self) -> None:
-        _set(self, a=numbers(self.a, "a"), b=numbers(self.b, "b"))
-
-    def _json(self) -> dict[str, Any]:
-        return {"direction": {"a": list(self.a), "b": list(self.b)}}
-
 
 @dataclass(frozen=True)
-class HalfAngleTangent:
+class HalfAngleTangent(_RotationForm):
     """A rotation by the angle whose half has the tangent ``s``, a polynomial in time."""
 
+    _key = "half_angle_tangent"
     s: Coefficients
-
-    def __post_init__(self) -> None:
-        _set(self, s=numbers(self.s, "s"))
-
-    def _json(self) -> dict[str, Any]:
-        return {"half_angle_tangent": list(self.s)}
 
 
 @dataclass(frozen=True)
-class Cosine:
+class Cosine(_RotationForm):
     """A rotation by the angle between 0 and 180 degrees with the cosine ``a``, a polynomial in time within [-1, 1]."""
 
+    _key = "cosine"
     a: Coefficients
-
-    def __post_init__(self) -> None:
-        _set(self, a=numbers(self.a, "a"))
-
-    def _json(self) -> dict[str, Any]:
-        return {"cosine": list(self.a)}
 
 
 Rotation = Union[Angle, Direction, HalfAngleTangent, Cosine]
@@ -269,9 +266,9 @@ class Polynomial:
     def __post_init__(self) -> None:
         if self.orbit is not None and not isinstance(self.orbit, Orbit):
             raise InputError("orbit", f"expected an Orbit, found {type(self.orbit).__name__}", "write Orbit(center, angle)")
-        if self.rotation is not None and not isinstance(self.rotation, (Angle, Direction, HalfAngleTangent, Cosine)):
+        if self.rotation is not None and not isinstance(self.rotation, _RotationForm):
             raise InputError("rotation", f"expected a rotation, found {type(self.rotation).__name__}",
-                             "write Angle(...), Direction(...), HalfAngleTangent(...) or Cosine(...)")
+                             "write one of " + ", ".join(f"{form.__name__}(...)" for form in get_args(Rotation)))
         _set(self, x=numbers(self.x, "x"), y=numbers(self.y, "y"), pivot=_pivot(self.pivot),
              until=None if self.until is None else number(self.until, "until"), origin=number(self.origin, "origin"))
 
@@ -381,13 +378,10 @@ Motion = Union[Keyframes, CsvKeyframes, Velocity, Sweep, Polynomial, Pieces, Rev
 def _rotation_from_json(value: Any) -> Optional[Rotation]:
     if value is None:
         return None
-    if "direction" in value:
-        return Direction(**value["direction"])
-    if "angle" in value:
-        return Angle(value["angle"])
-    if "cosine" in value:
-        return Cosine(value["cosine"])
-    return HalfAngleTangent(value["half_angle_tangent"])
+    form: Any = next(form for form in get_args(Rotation) if form._key in value)
+    given = value[form._key]
+    rotation: Rotation = form(**given) if isinstance(given, dict) else form(given)
+    return rotation
 
 
 def _orbit_from_json(value: Any) -> Optional[Orbit]:

@@ -6,6 +6,7 @@
 
 #include "io/json_object.hpp"
 #include "io/outline_reader.hpp"
+#include "motion/rotation_forms.hpp"
 #include "taut/motions.hpp"
 
 namespace taut::internal::io {
@@ -18,8 +19,20 @@ Coefficients read_coefficients(const JsonDocument& document, std::size_t token, 
 
 namespace {
 
-const char* const rotation_shape =
-    R"(one of {"angle":[a0,a1,...]}, {"direction":{"a":[...],"b":[...]}}, {"half_angle_tangent":[...]}, {"cosine":[...]})";
+/// How each form is written.
+std::string rotation_shape() {
+  std::string shape;
+  for_each_form([&](const auto& form) {
+    using Form = FormOf<decltype(form)>;
+    if (!*Form::key) return;
+    std::string inner;
+    for (const auto& polynomial : Form::polynomials)
+      inner += (inner.empty() ? "{\"" : ",\"") + std::string(polynomial.name) + "\":[...]";
+    shape += (shape.empty() ? "one of {\"" : ", {\"") + std::string(Form::key) +
+             "\":" + (Form::polynomials.size() == 1 ? "[...]}" : inner + "}}");
+  });
+  return shape;
+}
 
 Coefficients read_polynomial(const JsonDocument& document, std::size_t token, const std::string& path) {
   return read_coefficients(document, token, path, "lower the degree, or split the motion into pieces with \"until\"");
@@ -27,33 +40,43 @@ Coefficients read_polynomial(const JsonDocument& document, std::size_t token, co
 
 Rotation read_rotation(const JsonDocument& document, std::size_t token, const std::string& path) {
   if (document.at(token).kind() == JsonKind::null) return NoRotation{};
-  const std::vector<std::string> forms = {"angle", "direction", "half_angle_tangent", "cosine"};
-  const JsonObject object(document, token, path, forms, rotation_shape);
-  std::string form;
-  for (const std::string& candidate : forms) {
+  std::vector<std::string> keys;
+  for_each_form([&](const auto& form) {
+    if (const std::string key = FormOf<decltype(form)>::key; !key.empty()) keys.push_back(key);
+  });
+  const JsonObject object(document, token, path, keys, rotation_shape());
+  std::string chosen;
+  for (const std::string& candidate : keys) {
     if (!object.find(candidate)) continue;
-    if (!form.empty()) {
-      throw document.error(token, path, "both \"" + form + "\" and \"" + candidate + "\" are given",
-                           std::string("write exactly ") + rotation_shape);
+    if (!chosen.empty()) {
+      throw document.error(token, path, "both \"" + chosen + "\" and \"" + candidate + "\" are given",
+                           "write exactly " + rotation_shape());
     }
-    form = candidate;
+    chosen = candidate;
   }
-  if (form.empty()) {
-    throw document.error(token, path, "the object is empty",
-                         std::string("leave \"rotation\" out, or write ") + rotation_shape);
+  if (chosen.empty()) {
+    throw document.error(token, path, "the object is empty", "leave \"rotation\" out, or write " + rotation_shape());
   }
-  const std::size_t value = object.get(form);
-  const std::string value_path = object.path(form);
-  if (form == "direction") {
-    const JsonObject ab(document, value, value_path, {"a", "b"}, R"({"direction":{"a":[...],"b":[...]}})");
-    return DirectionRotation{read_polynomial(document, ab.get("a"), ab.path("a")),
-                             read_polynomial(document, ab.get("b"), ab.path("b"))};
-  }
-  static_assert(std::variant_size_v<Rotation> == 6, "every form of rotation is read here");
-  Coefficients c = read_polynomial(document, value, value_path);
-  if (form == "angle") return AngleRotation{std::move(c)};
-  if (form == "cosine") return CosineRotation{std::move(c)};
-  return HalfAngleRotation{std::move(c)};
+  const std::size_t value = object.get(chosen);
+  const std::string value_path = object.path(chosen);
+  Rotation read;
+  for_each_form([&](auto form) {
+    using Form = FormOf<decltype(form)>;
+    if (chosen != Form::key) return;
+    if (Form::polynomials.size() == 1) {
+      for (const auto& only : Form::polynomials) form.*only.coefficients = read_polynomial(document, value, value_path);
+    } else {
+      std::vector<std::string> names;
+      for (const auto& polynomial : Form::polynomials) names.emplace_back(polynomial.name);
+      const JsonObject members(document, value, value_path, names, rotation_shape());
+      for (const auto& polynomial : Form::polynomials) {
+        form.*polynomial.coefficients =
+            read_polynomial(document, members.get(polynomial.name), members.path(polynomial.name));
+      }
+    }
+    read = std::move(form);
+  });
+  return read;
 }
 
 const char* const motion_shape = R"(a motion as {"x":[c0,c1,...],"y":[c0,...],"rotation":{"angle":[a0,a1,...]}})";

@@ -3,7 +3,6 @@
 #include <limits>
 
 #include "io/json_writer.hpp"
-#include "numeric/overloaded.hpp"
 #include "scene/mechanism_lock.hpp"
 #include "taut/io.hpp"
 #include "taut/shape.hpp"
@@ -13,21 +12,23 @@ using namespace internal;
 
 namespace {
 
+/// Empty for what is not written.
 std::string rotation_text(const Rotation& rotation) {
-  const auto of = [](const char* form, const std::string& value) {
-    return "{\"" + std::string(form) + "\":" + value + "}";
-  };
-  using io::array_text;
-  return std::visit(Overloaded{[](const NoRotation&) { return std::string(); },
-                               [&](const AngleRotation& r) { return of("angle", array_text(r.angle)); },
-                               [&](const DirectionRotation& r) {
-                                 return of("direction",
-                                           "{\"a\":" + array_text(r.a) + ",\"b\":" + array_text(r.b) + "}");
-                               },
-                               [&](const HalfAngleRotation& r) { return of("half_angle_tangent", array_text(r.s)); },
-                               [&](const CosineRotation& r) { return of("cosine", array_text(r.a)); },
-                               [](const JointFollower&) { return std::string(); }},
-                    rotation);
+  return std::visit(
+      [](const auto& form) {
+        using Form = FormOf<decltype(form)>;
+        std::string inner;
+        for (const auto& polynomial : Form::polynomials) {
+          const std::string text = io::array_text(form.*polynomial.coefficients);
+          if (Form::polynomials.size() == 1)
+            inner = text;
+          else
+            inner += (inner.empty() ? "{\"" : ",\"") + std::string(polynomial.name) + "\":" + text;
+        }
+        if (inner.empty()) return inner;
+        return "{\"" + std::string(Form::key) + "\":" + inner + (Form::polynomials.size() == 1 ? "}" : "}}");
+      },
+      rotation);
 }
 
 std::string piece_text(const MotionPiece& piece) {

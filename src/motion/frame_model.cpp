@@ -7,7 +7,6 @@
 #include "motion/symbolic.hpp"
 #include "motion/uniform_rotation.hpp"
 #include "numeric/budget.hpp"
-#include "numeric/overloaded.hpp"
 
 namespace taut::internal {
 namespace {
@@ -20,12 +19,7 @@ constexpr double negligible = 0x1p-400;
 constexpr std::uint64_t work_of_uniform_rotation = 6;
 
 std::uint64_t work_of_turn(const MotionPiece& piece) {
-  const int work =
-      std::visit(Overloaded{[](const NoRotation&) { return 0; }, [](const AngleRotation&) { return 14; },
-                            [](const DirectionRotation&) { return 39; }, [](const HalfAngleRotation&) { return 16; },
-                            [](const CosineRotation&) { return 26; }, [](const JointFollower&) { return 40; }},
-                 piece.rotation);
-  return static_cast<std::uint64_t>(work);
+  return std::visit([](const auto& form) { return std::uint64_t{FormOf<decltype(form)>::work}; }, piece.rotation);
 }
 /// Fitted to the times of many thousand queries.
 std::uint64_t work_of_model(const MotionSegment& segment) {

@@ -26,7 +26,7 @@ void PieceList::Packed::add(const MotionPiece& piece) {
   };
   place.x = put(piece.x);
   place.y = put(piece.y);
-  place.form = static_cast<Form>(piece.rotation.index());
+  place.form = static_cast<std::uint8_t>(piece.rotation.index());
   std::uint8_t* count = &place.a;
   for_each_polynomial(piece.rotation, [&](const Coefficients& c) {
     *count = put(c);
@@ -98,26 +98,15 @@ MotionPiece PieceList::operator[](std::size_t k) const {
   piece.until = place.until;
   piece.x = take(place.x);
   piece.y = take(place.y);
-  switch (place.form) {
-    case Form::none:
-      break;
-    case Form::angle:
-      piece.rotation = AngleRotation{take(place.a)};
-      break;
-    case Form::direction: {
-      Coefficients a = take(place.a), b = take(place.b);
-      piece.rotation = DirectionRotation{std::move(a), std::move(b)};
-      break;
-    }
-    case Form::half_angle:
-      piece.rotation = HalfAngleRotation{take(place.a)};
-      break;
-    case Form::cosine:
-      piece.rotation = CosineRotation{take(place.a)};
-      break;
-    case Form::joint:
-      piece.rotation = packed_->joints[static_cast<std::size_t>(take(1)[0])];
-      break;
+  if (place.form == form_index<JointFollower>) {
+    piece.rotation = packed_->joints[static_cast<std::size_t>(take(1)[0])];
+  } else {
+    piece.rotation = rotation_of_form(place.form);
+    const std::uint8_t* count = &place.a;
+    for_each_polynomial(piece.rotation, [&](Coefficients& c) {
+      c = take(*count);
+      count = &place.b;
+    });
   }
   if (place.pivot) piece.pivot = take_point();
   if (place.origin) piece.origin = *next++;
@@ -143,8 +132,8 @@ std::optional<PieceList::Rates> PieceList::last_rates(double end) const {
   std::size_t k = size() - 1;
   while (k > 0 && until(k - 1) >= end) --k;
   const Place& place = packed_->places[k];
-  const bool angle = place.form == Form::angle;
-  if (place.x > 1 || place.y > 1 || place.orbit > 2 || place.form == Form::joint) return std::nullopt;
+  const bool angle = place.form == form_index<AngleRotation>;
+  if (place.x > 1 || place.y > 1 || place.orbit > 2 || place.form == form_index<JointFollower>) return std::nullopt;
   if (place.a > (angle ? 2 : 1) || place.b > 1) return std::nullopt;
   Rates rates{k > 0 ? until(k - 1) : -std::numeric_limits<double>::infinity(), 0, 0};
   if (angle && place.a == 2)
@@ -156,13 +145,15 @@ std::optional<PieceList::Rates> PieceList::last_rates(double end) const {
   return rates;
 }
 
+bool PieceList::follows_joint() const { return !empty() && packed_->places.front().form == form_index<JointFollower>; }
+
 bool PieceList::same_at(std::size_t a, std::size_t b) const { return a == b || same_motion((*this)[a], (*this)[b]); }
 
 bool PieceList::rests() const {
   if (empty()) return true;
   // Whatever its pivot is: nothing turns about it.
   return std::all_of(packed_->places.begin(), packed_->places.end(), [](const Place& place) {
-    return place.x == 0 && place.y == 0 && place.form == Form::none && place.orbit == 0;
+    return place.x == 0 && place.y == 0 && place.form == form_index<NoRotation> && place.orbit == 0;
   });
 }
 

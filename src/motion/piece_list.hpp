@@ -53,19 +53,18 @@ class PieceList {
   /// Of the piece that holds right before `end`; nothing if it does not just rest, or turn uniformly.
   std::optional<Rates> last_rates(double end) const;
   /// Does it follow a joint of a mechanism?
-  bool follows_joint() const { return !empty() && packed_->places.front().form == Form::joint; }
+  bool follows_joint() const;
 
  private:
-  enum class Form : std::uint8_t { none, angle, direction, half_angle, cosine, joint };
   struct Place {
     double until = std::numeric_limits<double>::infinity();
     std::uint64_t first = 0;    ///< of its numbers
     std::uint8_t x = 0, y = 0;  ///< how many coefficients there are
     std::uint8_t a = 0, b = 0;  ///< of the rotation's polynomials
     std::uint8_t orbit = 0;
-    Form form = Form::none;
-    bool pivot = false;   ///< not (0, 0)
-    bool origin = false;  ///< not 0
+    std::uint8_t form = 0;  ///< its index in Rotation
+    bool pivot = false;     ///< not (0, 0)
+    bool origin = false;    ///< not 0
   };
   struct Packed {
     std::vector<Place> places;

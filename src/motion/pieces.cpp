@@ -169,12 +169,7 @@ class PieceCheck {
     coefficients("pivot", std::array{piece_.pivot.x, piece_.pivot.y});
     coefficients("orbit.angle", piece_.orbit.angle);
     coefficients("orbit.centre", std::array{piece_.orbit.centre.x, piece_.orbit.centre.y});
-    std::visit(
-        Overloaded{[](const NoRotation&) {}, [&](const AngleRotation& r) { coefficients("rotation.angle", r.angle); },
-                   [&](const HalfAngleRotation& r) { coefficients("rotation.half_angle_tangent", r.s); },
-                   [&](const DirectionRotation& r) { direction(r); }, [&](const CosineRotation& r) { cosine(r); },
-                   [](const JointFollower&) {}},
-        piece_.rotation);
+    std::visit([this](const auto& form) { rotation(form); }, piece_.rotation);
   }
 
  private:
@@ -188,45 +183,30 @@ class PieceCheck {
         "choose other units");
   }
 
-  void coefficients(const char* what, std::span<const double> c) const {
-    for (std::size_t i = 0; i < c.size(); ++i)
-      usable(c[i], [&] { return std::string(what) + "[" + std::to_string(i) + "]"; });
+  void coefficients(const std::string& what, std::span<const double> c) const {
+    for (std::size_t i = 0; i < c.size(); ++i) usable(c[i], [&] { return what + "[" + std::to_string(i) + "]"; });
     if (c.size() > max_degree + 1)
-      throw InputError(place_, std::string(what) + " has degree " + std::to_string(c.size() - 1),
+      throw InputError(place_, what + " has degree " + std::to_string(c.size() - 1),
                        "the highest degree supported is " + std::to_string(max_degree));
   }
 
-  void direction(const DirectionRotation& r) const {
-    coefficients("rotation.direction.a", r.a);
-    coefficients("rotation.direction.b", r.b);
-    if (!times_) return;
-    if (const auto t = searched([&] { return common_zero(r.a, r.b, piece_.origin, times_->first, times_->second); })) {
-      throw InputError(place_, "the direction (a, b) vanishes near t = " + number(*t),
-                       "a direction must have a length at all times of its piece");
+  template <class Form>
+  void rotation(const Form& form) const {
+    const auto& polynomials = FormOf<Form>::polynomials;
+    for (const auto& polynomial : polynomials) {
+      const std::string key = std::string("rotation.") + FormOf<Form>::key;
+      coefficients(polynomials.size() == 1 ? key : key + "." + polynomial.name, form.*polynomial.coefficients);
     }
-  }
-
-  void cosine(const CosineRotation& r) const {
-    coefficients("rotation.cosine", r.a);
     if (!times_) return;
-    if (const auto t = searched([&] { return beyond_one(r.a, piece_.origin, times_->first, times_->second); })) {
-      throw InputError(
-          place_,
-          "the cosine is beyond 1 in magnitude at t = " + number(*t) + ": " +
-              number(Jet<double>::polynomial(r.a, time_since(Ball<double>::exact(*t), piece_.origin)).v.mid),
-          "a cosine must stay within [-1, 1] at all times of its piece");
-    }
-  }
-
-  /// What a search finds. One that did not come to an end has shown nothing, and nothing is accepted on its account.
-  template <class Search>
-  std::optional<double> searched(const Search& search) const {
+    // A search that did not come to an end has shown nothing, and nothing is accepted on its account.
+    std::optional<RotationFault> fault;
     try {
-      return search();
+      fault = FormOf<Form>::fault(form, piece_.origin, times_->first, times_->second);
     } catch (const SearchExhausted&) {
       throw InputError(place_, "the rotation is too intricate to decide whether it is well defined",
                        "divide the motion into pieces, or lower the degree");
     }
+    if (fault) throw InputError(place_, fault->problem, fault->remedy);
   }
 
   const MotionPiece& piece_;

@@ -10,22 +10,6 @@
 
 namespace taut::internal {
 
-bool varies(const Rotation& rotation) {
-  bool varies = std::holds_alternative<JointFollower>(rotation);
-  for_each_polynomial(rotation, [&](const Coefficients& c) { varies = varies || c.size() > 1; });
-  return varies;
-}
-
-bool same_rotation(const Rotation& a, const Rotation& b) {
-  if (const auto* x = std::get_if<JointFollower>(&a), *y = std::get_if<JointFollower>(&b); x && y)
-    return x->functions == y->functions && x->joint == y->joint && x->exponent == y->exponent;
-  std::vector<const Coefficients*> of_a, of_b;
-  for_each_polynomial(a, [&](const Coefficients& c) { of_a.push_back(&c); });
-  for_each_polynomial(b, [&](const Coefficients& c) { of_b.push_back(&c); });
-  return a.index() == b.index() && std::equal(of_a.begin(), of_a.end(), of_b.begin(), of_b.end(),
-                                              [](const auto* x, const auto* y) { return *x == *y; });
-}
-
 std::optional<SingularCosine> singular_at(const CosineRotation& rotation, double origin, double end) {
   if (rotation.a.size() < 2) return std::nullopt;
   double about = 0;

@@ -6,10 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "motion/joint_value.hpp"
 #include "motion/local_time.hpp"
 #include "motion/rotation_forms.hpp"
-#include "motion/symbolic.hpp"
 #include "numeric/jet.hpp"
 #include "taut/motion.hpp"
 
@@ -29,14 +27,6 @@ inline double coefficient(const Coefficients& c, std::size_t k) { return k < c.s
 
 /// The same bits on every platform, which std::hypot does not promise.
 inline double length(double x, double y) { return std::sqrt(x * x + y * y); }
-
-/// A polynomial's coefficients with 0 for the constant.
-struct VaryingPart {
-  const Coefficients& whole;
-  std::size_t size() const { return whole.size(); }
-  bool empty() const { return whole.empty(); }
-  double operator[](std::size_t k) const { return k == 0 ? 0.0 : whole[k]; }
-};
 
 /// A cosine about an end of a segment at which it is 1 or -1, or nearly: it is `extreme` + h^order rest(h), where h is
 /// the time from that end, and the rest is not zero there. The order is 0 where the cosine is not quite so far. Of odd
@@ -65,15 +55,6 @@ J power(const J& base, std::size_t exponent) {
   J product = J::constant(1.0);
   for (std::size_t k = 0; k < exponent; ++k) product = product * base;
   return product;
-}
-
-/// A polynomial over a stretch of time, about its middle. Near 1 a cosine's range decides how long stretches can be,
-/// and in powers of the time since somewhere else it would be as wide as if the cosine were steep there.
-template <class J, class Real>
-J about_middle(BallCoefficients<Real> c, const Ball<Real>& t) {
-  if (t.rad == 0 || c.p.size == 0) return J::polynomial(c, t);
-  c.p = expanded(c.p, t.mid);
-  return J::polynomial(c, Ball<Real>(Real(0), t.rad));
 }
 
 /// x near such an end. With c = e + h^m r the sine is sqrt(1 - c^2) = sqrt(-e h^m r (2 + e h^m r)): as good as h is
@@ -110,42 +91,6 @@ void cosine_from_end(const SingularCosine& cosine, const TimeFromEnd<Real>& t, J
   cosine_about_end<J, Real>(cosine.extreme, change, rest, side, outside, nullptr, xx, xy);
 }
 
-/// What a cosine adds to its constant part.
-template <class J, class Real>
-J change_of_cosine(const Coefficients& a, const Ball<Real>& t) {
-  BallCoefficients<Real> change;
-  for (std::size_t k = 0; k < a.size(); ++k) change.p.push_back(as_ball<Real>(VaryingPart{a}[k]));
-  return about_middle<J>(change, t);
-}
-template <class J, class Time>
-J change_of_cosine(const Coefficients& a, const Time& t) {
-  return J::polynomial(VaryingPart{a}, t);
-}
-
-/// The value of the joint that a body follows, in degrees or lengths.
-template <class J, class Time>
-J value_of_joint(const JointFollower& follower, const Time& t) {
-  return joint_value<J>(*follower.functions, static_cast<std::size_t>(follower.joint),
-                        static_cast<std::size_t>(follower.piece), absolute(t)) *
-         Ball<typename J::Number>::exact(follower.sign);
-}
-/// As expressions in the joint's value: identities in it hold at all times.
-template <class J>
-J value_of_joint(const JointFollower&, const SymbolicTime& t) {
-  return J::polynomial(Coefficients{0, 1}, SymbolicTime{t.segment});
-}
-
-/// x(t) of a body that turns with a joint.
-template <class J, class Time>
-void turn_with_joint(const JointFollower& follower, const Time& t, J& xx, J& xy) {
-  const J value = value_of_joint<J>(follower, t);
-  if constexpr (std::is_same_v<J, Symbolic>) {
-    sin_cos(value, xy, xx);
-  } else {
-    sin_cos_degrees(value, xy, xx);
-  }
-}
-
 /// Adds the way of a body that slides with a joint to its origin.
 template <class J, class Time>
 void slide_with_joint(const MotionPiece& piece, const Time& t, J& x, J& y) {
@@ -159,43 +104,6 @@ void slide_with_joint(const MotionPiece& piece, const Time& t, J& x, J& y) {
   }
   x = x + way * J::constant(follower->direction.x);
   y = y + way * J::constant(follower->direction.y);
-}
-
-/// x(t) of a rotation; J is Jet<Real>, Series<Real, N> or Symbolic, and the time LocalTime, TimeFromEnd or
-/// SymbolicTime, since the rotation's origin.
-template <class J, class Time>
-void rotation_jet(const Rotation& rotation, const Time& t, J& xx, J& xy) {
-  std::visit(Overloaded{[&](const NoRotation&) {
-                          xx = J::constant(1.0);
-                          xy = J::constant(0.0);
-                        },
-                        [&](const AngleRotation& r) { sin_cos(angle_at<J>(r.angle, t), xy, xx); },
-                        [&](const DirectionRotation& r) {
-                          const J a = J::polynomial(r.a, t), b = J::polynomial(r.b, t);
-                          const J length = sqrt(a * a + b * b);
-                          xx = a / length;
-                          xy = b / length;
-                        },
-                        [&](const HalfAngleRotation& r) {
-                          const J s = J::polynomial(r.s, t), square = s * s, one = J::constant(1.0);
-                          const J below = one + square;
-                          xx = (one - square) / below;
-                          xy = (s + s) / below;
-                        },
-                        [&](const CosineRotation& r) {
-                          // 1 - c^2 as (1 - c)(1 + c), with the constant parts added first: exact where c starts or
-                          // ends at 1 or -1.
-                          const J change = change_of_cosine<J>(r.a, absolute(t));
-                          const J one = J::constant(1.0), start = J::constant(r.a.empty() ? 0.0 : r.a[0]);
-                          xx = start + change;
-                          xy = sqrt(((one - start) - change) * ((one + start) + change));
-                        },
-                        [&](const JointFollower& r) {
-                          xx = J::constant(1.0);
-                          xy = J::constant(0.0);
-                          if (!r.slides) turn_with_joint(r, t, xx, xy);
-                        }},
-             rotation);
 }
 
 /// x(t) of a piece.

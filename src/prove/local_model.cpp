@@ -161,7 +161,8 @@ std::optional<CosineAndSine> LocalModels::rotation(const Rotation& rotation, con
                                  const LocalModel c = clamped(shifted(r.a, offset));
                                  return Both({c, root(one - product(c, c))});
                                },
-                               [](const JointFollower&) { return Both(); }},
+                               // Other forms are not covered by exact logs.
+                               [](const auto&) { return Both(); }},
                     rotation);
 }
 
