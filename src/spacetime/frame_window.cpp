@@ -34,7 +34,7 @@ FrameWindow::FrameWindow(const MotionSegment& segment, double start, double limi
     if (shortest) end_ = std::min(limit, std::nextafter(start, std::numeric_limits<double>::infinity()));
     if (make_smooth()) return;
     smooth_ = false;
-    if (make_range() || shortest) return;
+    if (make_range() || shortest || is_as_good_as_an_instant()) return;
     smooth_ = true;
   }
 }
@@ -55,13 +55,33 @@ bool FrameWindow::make_range() {
   const Frame<double> f = frame(*segment_, Ball<double>::between(start_, end_));
   pp_ = sample_of(f.for_pp);
   qq_ = sample_of(f.for_qq);
+  return roughness() <= 1;
+}
+
+/// The largest error of the ranges, relative to that of the largest motion that is treated by them.
+double FrameWindow::roughness() const {
+  double most = 0;
   for (const FrameSample* s : {&pp_, &qq_}) {
-    const auto rough = [s](int i, int k) {
-      return rough_motion * (1 + std::fmin(std::fabs(s->f[i]), std::fabs(s->f[k])));
+    const auto add = [&](double error, int i, int k) {
+      const double share = error / (rough_motion * (1 + std::fmin(std::fabs(s->f[i]), std::fabs(s->f[k]))));
+      most = share < INFINITY ? std::fmax(most, share) : INFINITY;
     };
-    if (!(s->error_0 <= rough(0, 0) && s->error_a <= rough(1, 2) && s->error_b <= rough(3, 4))) return false;
+    add(s->error_0, 0, 0);
+    add(s->error_a, 1, 2);
+    add(s->error_b, 3, 4);
   }
-  return true;
+  return most;
+}
+
+/// Right before a dead point of a mechanism, only a box of values is known: shorter windows are no better.
+bool FrameWindow::is_as_good_as_an_instant() {
+  if (std::isnan(instant_roughness_)) {
+    FrameWindow instant = *this;
+    instant.end_ = std::min(end_, std::nextafter(start_, std::numeric_limits<double>::infinity()));
+    instant.make_range();
+    instant_roughness_ = instant.roughness();
+  }
+  return instant_roughness_ > 1 && instant_roughness_ < INFINITY && roughness() <= 2 * instant_roughness_;
 }
 
 bool FrameWindow::make_smooth() {

@@ -1,6 +1,8 @@
 // A short window of a segment, with bounds of everything that moves in it.
 #pragma once
 
+#include <limits>
+
 #include "motion/frame_sample.hpp"
 
 namespace taut::internal::spacetime {
@@ -35,12 +37,15 @@ class FrameWindow {
   bool make_smooth();
   void make_bridge();
   bool make_range();
+  double roughness() const;
+  bool is_as_good_as_an_instant();
   void evaluate(double t);
 
   const MotionSegment* segment_;
   double start_, end_;
   bool smooth_ = true;
   double cached_;
+  double instant_roughness_ = std::numeric_limits<double>::quiet_NaN();  ///< once it was asked for
   FrameModel model_;
   FrameSample pp_{}, qq_{};
   FrameCurvature second_pp_{}, second_qq_{};
