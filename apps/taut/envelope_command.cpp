@@ -57,6 +57,9 @@ std::string envelope_in_words(const Linkage& linkage, const Envelope& answer) {
                         name_in(linkage, answer.witness->pair[1]), combination_text(linkage, answer.witness->values));
   text += fmt::format("  free {:.6g} %, colliding {:.6g} %, undecided {:.6g} %, in {} cells\n", 100 * answer.free,
                       100 * answer.colliding, 100 * answer.undecided, answer.cells.size());
+  if (answer.may_lock > 0)
+    text +=
+        fmt::format("  the mechanism may lock, or does not get there, for {:.6g} % of them\n", 100 * answer.may_lock);
   if (!answer.reason.empty()) text += "  " + answer.reason + "\n";
   return text;
 }

@@ -9,6 +9,10 @@
 
 #include "taut/check.hpp"
 
+namespace taut::internal {
+class LoopRegion;
+}
+
 namespace taut {
 
 /// The most joints that a linkage may have.
@@ -40,17 +44,20 @@ struct FreeMotion {
   Point pivot = {};
 };
 
-/// The body is a link of a mechanism, and follows one of its joints, which one driven joint moves. Made by assembled(),
-/// not by users.
+/// The body is a link of a mechanism, and follows one of its joints, which driven joints move. Made by assembled(), not
+/// by users.
 struct LinkMotion {
-  JointFollower follows;  ///< as a function of the driven joint's value
+  JointFollower follows;  ///< without `region`, as a function of the driven joint's value
   Point pivot;            ///< if it turns
+  /// If several driven joints move its loop: the joint's values as functions of theirs.
+  std::shared_ptr<const internal::LoopRegion> region = nullptr;
 };
 
-/// The loops of a mechanism that one driven joint moves.
+/// The loops of a mechanism that one driven joint moves, or several that move them together.
 struct DrivenLoops {
-  int joint = 0;  ///< its position in Linkage::joints
-  std::shared_ptr<const internal::AssembledMechanism> assembly;
+  int joint = 0;  ///< its position in Linkage::joints; of several, that of the first
+  std::shared_ptr<const internal::AssembledMechanism> assembly;  ///< of one joint, with its value as the time
+  std::shared_ptr<const internal::LoopRegion> region = nullptr;  ///< of several
 };
 
 /// How a body follows a joint: by times * value + plus, in degrees or lengths. A gear's wheel, a rack, and both jaws of
@@ -73,16 +80,16 @@ struct Linkage {
   Scene scene;
   /// For each body, in order, the joint that it follows; without one it rests in its frame. May be shorter.
   std::vector<std::optional<JointMotion>> motions;
-  /// Of a mechanism, made by assembled(), not by users: how each driven joint moves its loops, with its value as the
-  /// time.
+  /// Of a mechanism, made by assembled(), not by users: how driven joints move its loops.
   std::vector<DrivenLoops> loops = {};
 };
 
 /// The linkage with the motions of its mechanism's links: each is seen from the one that carries it. A linkage without
 /// a mechanism, or with these motions already, is returned as it is.
 ///
-/// Each loop must follow one driven joint only, and none may lock within that joint's range. Throws InputError
-/// otherwise, and as assembled(Scene) does.
+/// A loop that follows one driven joint must not lock within that joint's range. Where several move one loop together,
+/// it may: combinations at which a lock may lie are undecided, and so are those to which no way leads from the drawn
+/// pose through combinations that are not. Throws InputError otherwise, and as assembled(Scene) does.
 Linkage assembled(Linkage linkage);
 
 /// What is known of a box of joint values.
@@ -100,6 +107,8 @@ struct EnvelopeCell {
   CellState state = CellState::undecided;
   JointValues lo{}, hi{};
   std::array<BodyId, 2> pair{};  ///< which overlaps, or was not distinguished
+  /// Of an undecided cell: not the pair is why, but a mechanism that may lock in it, or does not get there.
+  bool may_lock = false;
 };
 
 /// A combination at which two bodies overlap.
@@ -116,6 +125,8 @@ struct Envelope {
   std::optional<EnvelopeWitness> witness;
   /// Shares of all combinations; they sum to 1, up to rounding.
   double free = 0, colliding = 0, undecided = 0;
+  /// That share of `undecided` at which a mechanism may lock, or to which it does not get from the drawn pose.
+  double may_lock = 0;
   /// A partition of all combinations.
   std::vector<EnvelopeCell> cells;
   std::string reason;  ///< why cells larger than the tolerance are undecided, or nothing was tested; empty otherwise
@@ -140,7 +151,8 @@ Envelope envelope(const Linkage& linkage, const EnvelopeOptions& options = {});
 /// of shapes and frames.
 void validate(const Linkage& linkage);
 
-/// The bodies where these joint values put them, at rest, as a scene with time [0, 0].
+/// The bodies where these joint values put them, at rest, as a scene with time [0, 0]. Throws InputError if a mechanism
+/// is not shown to get there.
 Scene posed(const Linkage& linkage, const JointValues& values);
 
 /// The answer of envelope() as `taut envelope --json` prints it; `cells`: with the whole partition.

@@ -32,7 +32,7 @@ class Linkage(TextForm):
     ``ignore``, ``id``, ``folder``, ``at_rest``: as of a Scene; bodies are at rest relative to each other that no joint moves
     against each other.
     ``mechanism``: as of a Scene, but its "drive" gives ranges, {"A": (0, 90)}: driven joints come after ``joints``, which may
-    be empty then. Each loop must follow one of them.
+    be empty then. Where several of them move one loop, combinations at which it may lock are undecided.
     """
 
     bodies: Sequence[Body]
@@ -79,12 +79,14 @@ class Linkage(TextForm):
 class EnvelopeCell:
     """A box of joint values, from ``lo[k]`` to ``hi[k]`` of joint k. ``state``: "free": for all values in it no pair
     touches; "colliding": for all, the interiors of ``pair`` overlap; "undecided": neither was shown before the box became
-    as small as the tolerance."""
+    as small as the tolerance. ``may_lock``: of an undecided one, that is not because of a pair but of a mechanism that may
+    lock in it, or does not get there."""
 
     state: CellState
     lo: tuple[float, ...]
     hi: tuple[float, ...]
     pair: Optional[tuple[str, str]] = None
+    may_lock: bool = False
 
 
 @dataclass(frozen=True)
@@ -100,7 +102,8 @@ class Envelope(Verdict):
     """For which combinations bodies keep apart. ``outcome``: "free": for every one, proved. "contact": not for the one in
     ``witness``. "undecided": none was found that collides, and not all were shown to be free. "untested": no pair was
     tested. ``coverage``: which pairs that is about. ``free``, ``colliding``,
-    ``undecided``: shares of all combinations. ``cells``: a partition of them, if it was asked for. ``reason``: why it
+    ``undecided``: shares of all combinations; ``may_lock``: that of ``undecided`` at which a mechanism may lock, or to
+    which it does not get. ``cells``: a partition of them, if it was asked for. ``reason``: why it
     ended early. ``json`` is what ``taut envelope --json`` prints."""
 
     outcome: QuestionOutcome
@@ -108,6 +111,7 @@ class Envelope(Verdict):
     free: float
     colliding: float
     undecided: float
+    may_lock: float
     tolerance: float
     cells: tuple[EnvelopeCell, ...]
     reason: Optional[str]
@@ -154,7 +158,7 @@ def _plot_cells(cells: Sequence[EnvelopeCell], first: str, second: str, undecide
 
 def _cells_from(value: Any) -> tuple[EnvelopeCell, ...]:
     return tuple(EnvelopeCell(c["state"], tuple(map(float, c["lo"])), tuple(map(float, c["hi"])),
-                              _pair(c["pair"]) if "pair" in c else None) for c in value.get("cells", ()))
+                              _pair(c["pair"]) if "pair" in c else None, "may_lock" in c) for c in value.get("cells", ()))
 
 
 def _envelope_from_json(text: str) -> Envelope:
@@ -165,7 +169,7 @@ def _envelope_from_json(text: str) -> Envelope:
                     None if witness is None else EnvelopeWitness({name: float(x) for name, x in witness["values"].items()},
                                                                  _pair(witness["pair"])),
                     float(value["free"]), float(value["colliding"]), float(value["undecided"]),
-                    float(value["tolerance"]), cells, value.get("reason"), Coverage(**value["coverage"]), text)
+                    float(value.get("may_lock", 0)), float(value["tolerance"]), cells, value.get("reason"), Coverage(**value["coverage"]), text)
 
 
 def envelope(linkage: Linkage, *, tolerance: float = 1e-3, cells: bool = False,

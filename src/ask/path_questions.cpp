@@ -48,7 +48,11 @@ void write_cell(AnswerWriter& json, const PathProblem& problem, const EnvelopeCe
     json.member("state", to_string(cell.state));
     side("lo", cell.lo);
     side("hi", cell.hi);
-    if (cell.state != CellState::free) json.pair("pair", cell.pair);
+    if (cell.may_lock) {
+      json.member("may_lock", true);
+    } else if (cell.state != CellState::free) {
+      json.pair("pair", cell.pair);
+    }
   });
 }
 

@@ -27,7 +27,11 @@ void write_cell(AnswerWriter& json, const Linkage& linkage, const EnvelopeCell& 
     json.member("state", to_string(cell.state));
     write_values(json, "lo", linkage, cell.lo);
     write_values(json, "hi", linkage, cell.hi);
-    if (cell.state != CellState::free) json.pair("pair", cell.pair);
+    if (cell.may_lock) {
+      json.member("may_lock", true);
+    } else if (cell.state != CellState::free) {
+      json.pair("pair", cell.pair);
+    }
   });
 }
 
@@ -62,6 +66,7 @@ std::string envelope_json(const Linkage& linkage, const Envelope& answer, double
     json.member("free", answer.free);
     json.member("colliding", answer.colliding);
     json.member("undecided", answer.undecided);
+    if (answer.may_lock > 0) json.member("may_lock", answer.may_lock);
     json.member("tolerance", tolerance);
     json.reason(answer.reason);
     if (cells) json.key("cells").array(answer.cells, [&](const EnvelopeCell& c) { write_cell(json, linkage, c); });

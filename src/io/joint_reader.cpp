@@ -1,6 +1,7 @@
 #include "io/joint_reader.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <variant>
 
@@ -8,6 +9,7 @@
 #include "io/json_writer.hpp"
 #include "io/text.hpp"
 #include "io/text_file.hpp"
+#include "motion/loop_region.hpp"
 #include "scene/linkage.hpp"
 #include "taut/shape.hpp"
 
@@ -200,25 +202,50 @@ std::string parts_json(const Body& body) {
   return s + "]";
 }
 
-/// The values of a link's joint, evenly over the range of the joint that drives it.
-std::string link_motion_json(const LinkMotion& link, int joint, const Joint& driven) {
-  constexpr int count = 513;
-  std::vector<double> values;
-  for (int k = 0; k < count; ++k) {
-    const double share = static_cast<double>(k) / (count - 1);
-    values.push_back(link.follows.sign * value_of_link(link, driven.lo + share * (driven.hi - driven.lo)));
+/// The joints of the linkage that drive a link.
+std::vector<int> driving_joints(const LinkMotion& link, int joint) {
+  if (!link.region) return {joint};
+  std::vector<int> joints;
+  for (const LoopRegion::Range& range : link.region->ranges()) joints.push_back(range.joint);
+  return joints;
+}
+
+/// The values of a link's joint, evenly over the ranges of the joints that drive it, of which the first one varies
+/// fastest; null where the mechanism may lock.
+std::string link_values_json(const Linkage& linkage, const LinkMotion& link, int joint, const std::vector<int>& by) {
+  constexpr std::array counts{513, 33, 13, 7};
+  const int count = counts[by.size() - 1];
+  std::string s = "[";
+  std::vector<int> at(by.size());
+  for (std::size_t k = 0; k < by.size();) {
+    JointValues values{};
+    for (std::size_t i = 0; i < by.size(); ++i) {
+      const Joint& driven = linkage.joints[static_cast<std::size_t>(by[i])];
+      const double share = static_cast<double>(at[i]) / (count - 1);
+      values[static_cast<std::size_t>(by[i])] = driven.lo + share * (driven.hi - driven.lo);
+    }
+    const std::optional<double> value = value_of_link(link, joint, values);
+    s += (s.size() > 1 ? "," : "") + (value ? number_text(link.follows.sign * *value) : "null");
+    for (k = 0; k < by.size() && ++at[k] == count; ++k) at[k] = 0;
   }
+  return s + "]";
+}
+
+std::string link_motion_json(const Linkage& linkage, const LinkMotion& link, int joint) {
+  const std::vector<int> by = driving_joints(link, joint);
   const Point& d = link.follows.direction;
   const double length = std::hypot(d.x, d.y);
-  return "{\"joint\":" + std::to_string(joint) + ",\"values\":" + array_text(values) +
+  std::string joints;
+  for (const int k : by) joints += (joints.empty() ? "" : ",") + std::to_string(k);
+  return "{\"joint\":" + std::to_string(joint) + (by.size() > 1 ? ",\"joints\":[" + joints + "]" : "") +
+         ",\"values\":" + link_values_json(linkage, link, joint, by) +
          (link.follows.slides ? ",\"direction\":" + coordinates({d.x / length, d.y / length})
                               : ",\"pivot\":" + coordinates(link.pivot)) +
          "}";
 }
 
 std::string single_motion_json(const Linkage& linkage, const JointMotion& motion) {
-  if (const auto* link = std::get_if<LinkMotion>(&motion.kind))
-    return link_motion_json(*link, motion.joint, linkage.joints[static_cast<std::size_t>(motion.joint)]);
+  if (const auto* link = std::get_if<LinkMotion>(&motion.kind)) return link_motion_json(linkage, *link, motion.joint);
   const auto* revolute = std::get_if<Revolute>(&motion.kind);
   return "{\"joint\":" + std::to_string(motion.joint) + ",\"times\":" + number_text(motion.times) +
          ",\"plus\":" + number_text(motion.plus) +

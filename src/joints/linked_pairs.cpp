@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "motion/loop_region.hpp"
 #include "numeric/budget.hpp"
 #include "scene/linkage.hpp"
 #include "scene/untested.hpp"
@@ -125,6 +126,20 @@ bool LinkedPairs::follows(const Chain& chain, std::size_t joint) const {
 
 bool LinkedPairs::follows(const LinkedPair& pair, std::size_t joint) const {
   return follows(pair.of_p, joint) || follows(pair.of_q, joint);
+}
+
+MayLock LinkedPairs::may_lock(const JointCell& box) const {
+  MayLock found;
+  for (const DrivenLoops& loops : linkage_.loops) {
+    if (!loops.region) continue;
+    const LoopRegion::Share share = loops.region->share_of(box.middle, box.half);
+    if (share == LoopRegion::Share::none) return {true, {}};
+    if (share == LoopRegion::Share::all) continue;
+    found.anywhere = true;
+    for (const LoopRegion::Range& range : loops.region->ranges())
+      found.joints.set(static_cast<std::size_t>(range.joint));
+  }
+  return found;
 }
 
 PoseModel LinkedPairs::pose(const Chain& chain, const JointCell& box) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <bitset>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -13,6 +14,15 @@ namespace taut::internal {
 
 /// How a body hangs on others: itself, its parent, and so on.
 using Chain = std::vector<int>;
+
+/// Some joints of a linkage, by their positions there.
+using JointSet = std::bitset<max_joints>;
+
+/// Is a mechanism not shown to move over a cell, and across which joints could smaller cells show that?
+struct MayLock {
+  bool anywhere = false;
+  JointSet joints;
+};
 
 /// One pair that is tested: the bodies in their roles, and the chains from them up to what they have in common.
 struct LinkedPair {
@@ -35,6 +45,8 @@ class LinkedPairs {
   /// Pairs that no joint moves against each other, and that the scene does not ignore.
   const std::vector<std::array<BodyId, 2>>& fixed() const { return fixed_; }
   const Coverage& coverage() const { return coverage_; }
+  /// May a mechanism lock in the cell, or not get there? Where it may, poses of its links are not known.
+  MayLock may_lock(const JointCell& box) const;
   /// Q's pose, seen from P.
   PoseModel between(const LinkedPair& pair, const JointCell& box) const;
   /// Do the pair's bodies depend on the joint?

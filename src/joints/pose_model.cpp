@@ -4,6 +4,7 @@
 
 #include "motion/joint_functions.hpp"
 #include "motion/joint_value.hpp"
+#include "motion/loop_region.hpp"
 #include "numeric/trig.hpp"
 
 namespace taut::internal {
@@ -77,14 +78,36 @@ JointModel rotation_of(const JointMotion& motion, const JointCell& cell) {
   return rotation;
 }
 
-/// The value of a link's joint over the cell is value + rate h, up to the error, for h from -1 to 1.
+/// The value of a link's joint over the cell is value + sum rate[k] h[k], up to the error.
 struct FollowedValue {
   Ball<double> value;
-  double rate = 0, error = 0;
+  std::array<double, max_joints> rate{};
+  double error = 0;
+
+  double swing() const {
+    double sum = 0;
+    for (const double r : rate) sum += std::fabs(r);
+    return sum;
+  }
 };
+
+/// By the mean value theorem; not known where the mechanism may lock.
+FollowedValue followed_in_region(const LinkMotion& link, const JointCell& cell) {
+  const auto over = link.region->value(static_cast<std::size_t>(link.follows.joint), cell.middle, cell.half);
+  if (!over) return {Ball<double>::exact(0), {}, INFINITY};
+  const double sign = link.follows.sign;
+  FollowedValue found{over->middle * sign, {}, 0};
+  for (std::size_t k = 0; k < found.rate.size(); ++k) {
+    found.rate[k] = sign * over->slope[k].mid * cell.half[k];
+    found.error += over->slope[k].rad * std::fabs(cell.half[k]);
+  }
+  found.error = (found.error + rounding_share * found.swing() + underflow_slack) * up;
+  return found;
+}
 
 /// By Taylor's theorem, with the second derivative over the whole cell.
 FollowedValue followed_value(const LinkMotion& link, const JointCell& cell, std::size_t joint) {
+  if (link.region) return followed_in_region(link, cell);
   using B = Ball<double>;
   const auto followed = static_cast<std::size_t>(link.follows.joint),
              piece = static_cast<std::size_t>(link.follows.piece);
@@ -96,9 +119,10 @@ FollowedValue followed_value(const LinkMotion& link, const JointCell& cell, std:
   };
   const double sign = link.follows.sign;
   const B slope = coefficient(at, 1);
-  FollowedValue found{coefficient(at, 0) * sign, sign * slope.mid * half, 0};
+  FollowedValue found{coefficient(at, 0) * sign, {}, 0};
+  found.rate[joint] = sign * slope.mid * half;
   found.error = (slope.rad * reach + coefficient(over, 2).magnitude() * reach * reach +
-                 rounding_share * std::fabs(found.rate) + underflow_slack) *
+                 rounding_share * std::fabs(found.rate[joint]) + underflow_slack) *
                 up;
   return found;
 }
@@ -106,15 +130,19 @@ FollowedValue followed_value(const LinkMotion& link, const JointCell& cell, std:
 /// The error of a place that is not known: of a number no larger than 1, and of one that no scene comes near.
 constexpr double any_rotation = 2, any_way = 0x1p100;
 
-/// exp(i (value + rate h + rest)): the rest counts at most once, and the square of what is added to the value half.
-JointModel rotation_of(const FollowedValue& followed, std::size_t joint) {
+/// exp(i (value + sum rate[k] h[k] + rest)): the rest counts at most once, and the square of what is added to the value
+/// half.
+JointModel rotation_of(const FollowedValue& followed) {
   const Ball<double> degree = one_degree<double>();
-  const double swing = followed.rate * degree.mid,
-               rest = (followed.error * degree.mid + rounding_share * std::fabs(swing)) * up;
+  const double swing = followed.swing() * degree.mid,
+               rest = (followed.error * degree.mid + rounding_share * swing) * up;
   const SinCos<double> at = sin_cos(followed.value * degree);
   JointModel rotation = JointModel::constant({at.cos.mid, at.sin.mid});
-  rotation.rate[joint] = {-swing * at.sin.mid, swing * at.cos.mid};
-  const double most = std::fabs(swing) + rest;
+  for (std::size_t k = 0; k < followed.rate.size(); ++k) {
+    const double rate = followed.rate[k] * degree.mid;
+    rotation.rate[k] = {-rate * at.sin.mid, rate * at.cos.mid};
+  }
+  const double most = swing + rest;
   rotation.error = (rest + most * most / 2 + (at.cos.rad + at.sin.rad + rounding_share) * (1 + most)) * up;
   if (rotation.error < any_rotation) return rotation;
   rotation = JointModel::constant({1, 0});
@@ -126,7 +154,7 @@ JointModel rotation_of(const FollowedValue& followed, std::size_t joint) {
 PoseModel pose_of(const LinkMotion& link, std::size_t joint, const JointCell& cell, double scale) {
   const FollowedValue followed = followed_value(link, cell, joint);
   if (!link.follows.slides) {
-    const JointModel rotation = rotation_of(followed, joint);
+    const JointModel rotation = rotation_of(followed);
     const JointModel pivot = JointModel::constant({link.pivot.x * scale, link.pivot.y * scale});
     return {pivot - rotation * pivot, rotation};
   }
@@ -135,8 +163,9 @@ PoseModel pose_of(const LinkMotion& link, std::size_t joint, const JointCell& ce
   const Vector along{d.x / length * scale, d.y / length * scale};
   PoseModel pose;
   pose.shift = JointModel::constant({followed.value.mid * along.x, followed.value.mid * along.y});
-  pose.shift.rate[joint] = {followed.rate * along.x, followed.rate * along.y};
-  const double parts = followed.value.magnitude() + std::fabs(followed.rate);
+  for (std::size_t k = 0; k < followed.rate.size(); ++k)
+    pose.shift.rate[k] = {followed.rate[k] * along.x, followed.rate[k] * along.y};
+  const double parts = followed.value.magnitude() + followed.swing();
   pose.shift.error = (followed.value.rad + followed.error + rounding_share * parts) * scale * up;
   if (pose.shift.error < any_way) return pose;
   pose.shift = JointModel::constant({0, 0});

@@ -59,7 +59,8 @@ Contraction::Contraction(Square<double> given_bound, std::vector<double> given_w
     double sum = 0;
     for (std::size_t j = 0; j < bound.n; ++j) sum += bound(i, j) * weights[j] / weights[i];
     sum *= 1 + 0x1p-45;
-    norm = sum <= norm ? norm : sum;  // also where it is not a number
+    if (!(sum < INFINITY)) sum = INFINITY;  // also where it is not a number
+    norm = std::max(norm, sum);
   }
 }
 
@@ -77,7 +78,7 @@ std::vector<double> Contraction::closure(const std::vector<double>& g) const {
   double most = 0;
   for (std::size_t i = 0; i < g.size(); ++i) {
     const double share = g[i] / weights[i];
-    most = share <= most ? most : share;
+    most = share < INFINITY ? std::max(most, share) : INFINITY;
   }
   most = norm < 1 ? most / (1 - norm) * (1 + 0x1p-45) + underflow_slack : INFINITY;
   std::vector<double> all;
@@ -99,28 +100,9 @@ std::vector<double> magnitudes(const Balls<double>& v) {
 }
 
 std::optional<Square<double>> newton(const LoopCurve& curve, std::vector<double>& y, double s) {
-  std::optional<Square<double>> inverse;
-  double last = INFINITY;
-  for (int k = 0; k < 30; ++k) {
-    Balls<double> at;
-    for (const double x : y) at.push_back(Ball<double>::exact(x));
-    const Square<Ball<double>> slope = jacobian(curve, at, Ball<double>::exact(s));
-    Square<double> middle(slope.n);
-    for (std::size_t i = 0; i < slope.entries.size(); ++i) middle.entries[i] = slope.entries[i].mid;
-    inverse = approximate_inverse(middle);
-    if (!inverse) return std::nullopt;
-    const Balls<double> step = product(*inverse, values_of(curve, at, Ball<double>::exact(s)));
-    double size = 0;
-    for (std::size_t i = 0; i < y.size(); ++i) {
-      y[i] -= step[i].mid;
-      size = std::max(size, std::fabs(step[i].mid));
-    }
-    if (!(size < INFINITY)) return std::nullopt;
-    // Where steps do not become shorter any more, rounding is what is left.
-    if (size == 0 || (k > 1 && size > last / 2)) return inverse;
-    last = size;
-  }
-  return std::nullopt;
+  const Ball<double> at = Ball<double>::exact(s);
+  return newton_by([&](const Balls<double>& x) { return std::pair(jacobian(curve, x, at), values_of(curve, x, at)); },
+                   y);
 }
 
 }  // namespace taut::internal

@@ -163,7 +163,34 @@ Balls<double> in_doubles(const Balls<Real>& v) {
 }
 inline const Balls<double>& in_doubles(const Balls<double>& v) { return v; }
 
-/// Newton's method without any bound, with a fresh inverse in each step. The inverse of the last one, if it converges.
+/// Newton's method without any bound, with a fresh inverse in each step, for F' and F as `linearize` has them for exact
+/// y. The inverse of the last step, if it converges.
+template <class Linearize>
+std::optional<Square<double>> newton_by(const Linearize& linearize, std::vector<double>& y) {
+  double last = INFINITY;
+  for (int k = 0; k < 30; ++k) {
+    Balls<double> at;
+    for (const double x : y) at.push_back(Ball<double>::exact(x));
+    const auto [slope, values] = linearize(at);
+    Square<double> middle(slope.n);
+    for (std::size_t i = 0; i < slope.entries.size(); ++i) middle.entries[i] = slope.entries[i].mid;
+    auto inverse = approximate_inverse(middle);
+    if (!inverse) return std::nullopt;
+    const Balls<double> step = product(*inverse, values);
+    double size = 0;
+    for (std::size_t i = 0; i < y.size(); ++i) {
+      y[i] -= step[i].mid;
+      size = std::max(size, std::fabs(step[i].mid));
+    }
+    if (!(size < INFINITY)) return std::nullopt;
+    // Where steps do not become shorter any more, rounding is what is left.
+    if (size == 0 || (k > 1 && size > last / 2)) return inverse;
+    last = size;
+  }
+  return std::nullopt;
+}
+
+/// Along a curve.
 std::optional<Square<double>> newton(const LoopCurve& curve, std::vector<double>& y, double s);
 
 /// The zero near `about` for the exact parameter s, with a proof that no other is within `tube` of it. Nothing if there

@@ -42,6 +42,7 @@ OpenPairs JointSpace::all_open() const {
 }
 
 CellState JointSpace::evaluate(const JointCell& cell, OpenPairs& open, JointValues* best) const {
+  if (pairs_.may_lock(cell).anywhere) return CellState::undecided;
   thread_local std::vector<Condition> conditions;
   conditions.clear();
   std::size_t left = 0;
@@ -67,6 +68,7 @@ CellState JointSpace::evaluate(const JointCell& cell, OpenPairs& open, JointValu
 }
 
 bool JointSpace::collides_deeply(const JointCell& cell, OpenPairs& open) const {
+  if (pairs_.may_lock(cell).anywhere) return false;
   for (auto& [pair, features] : open) {
     if (!cells_[pair].find_deep(pairs_.between(pairs_[pair], cell), features)) continue;
     open = {std::pair(pair, std::move(features))};
@@ -96,8 +98,17 @@ bool JointSpace::is_free(const JointValues& at, const OpenPairs& among) const {
   return evaluate(point_at(at), open) == CellState::free;
 }
 
+double JointSpace::share_of_range(const JointCell& cell, std::size_t joint) const {
+  const Joint& range = linkage().joints[joint];
+  return range.hi > range.lo ? cell.half[joint] / (range.hi - range.lo) : 0;
+}
+
 std::array<double, max_joints> JointSpace::effect(const JointCell& cell, const OpenPairs& open) const {
   std::array<double, max_joints> sum{};
+  if (const MayLock lock = pairs_.may_lock(cell); lock.anywhere) {
+    for (std::size_t k = 0; k < dimension(); ++k) sum[k] = lock.joints[k] ? share_of_range(cell, k) : 0;
+    return sum;
+  }
   for (const auto& [pair, features] : open) {
     std::array<double, max_joints> one{};
     cells_[pair].add_effect(pairs_.between(pairs_[pair], cell), features, one);
@@ -109,6 +120,7 @@ std::array<double, max_joints> JointSpace::effect(const JointCell& cell, const O
 }
 
 bool JointSpace::is_free_between(const JointCell& segment, OpenPairs& open) const {
+  if (pairs_.may_lock(segment).anywhere) return true;
   OpenPairs left;
   for (auto& [pair, features] : open) {
     const PoseModel pose = pairs_.between(pairs_[pair], segment);

@@ -53,6 +53,7 @@ class JointSpace {
   bool is_free(const JointValues& a, const JointValues& b) const;
 
  private:
+  double share_of_range(const JointCell& cell, std::size_t joint) const;
   bool is_free_between(const JointCell& segment, OpenPairs& open) const;
 
   const PathProblem& problem_;

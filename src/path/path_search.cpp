@@ -171,6 +171,7 @@ void PathSearch::set_tight(const Chain& chain, PathAnswer& answer) const {
     if (tree_[id].state != CellState::undecided || (answer.tight && tree_[id].sample_free)) continue;
     TightPlace tight;
     const JointCell box = tree_.box(id);
+    if (space_.pairs().may_lock(box).anywhere) continue;
     tight.values = tree_.sample(id);
     for (std::size_t k = 0; k < tight.size.size(); ++k) tight.size[k] = 2 * box.half[k];
     const OpenPairs& open = *tree_[id].open;
@@ -187,6 +188,12 @@ void PathSearch::set_tight(const Chain& chain, PathAnswer& answer) const {
     least = room;
     answer.tight = std::move(tight);
   }
+}
+
+bool PathSearch::may_lock(const Chain& chain) const {
+  return std::any_of(chain.begin(), chain.end(), [&](CellId id) {
+    return tree_[id].state == CellState::undecided && space_.pairs().may_lock(tree_.box(id)).anywhere;
+  });
 }
 
 void PathSearch::run(PathAnswer& answer) {
@@ -210,6 +217,7 @@ void PathSearch::run(PathAnswer& answer) {
     if (divide_some_of(*chain)) continue;
     answer.outcome = PathOutcome::undecided;
     answer.reason = "there are cells as small as the tolerance that would connect the start and the goal";
+    if (may_lock(*chain)) answer.reason += "; in some of them, the mechanism may lock, or does not get there";
     set_tight(*chain, answer);
     return;
   }
@@ -224,6 +232,7 @@ std::vector<EnvelopeCell> PathSearch::cells() const {
     done.state = cell.state;
     if (cell.open && !cell.open->empty()) done.pair = space_.of_scene()[cell.open->front().first];
     const JointCell box = tree_.box(id);
+    done.may_lock = cell.state == CellState::undecided && space_.pairs().may_lock(box).anywhere;
     for (std::size_t k = 0; k < space_.dimension(); ++k) {
       const Joint& joint = problem_.linkage.joints[k];
       done.lo[k] = std::max(joint.lo, box.middle[k] - box.half[k]);

@@ -162,7 +162,7 @@ Scene with_stated_cells(const Scene& scene, ByteReader& in) {
 PathProblem with_stated_cells(const PathProblem& problem, ByteReader& in) {
   PathProblem out = problem;
   for (const DrivenLoops& driven : problem.linkage.loops) {
-    if (!has_loops(*driven.assembly)) continue;
+    if (driven.region || !has_loops(*driven.assembly)) continue;
     const auto functions = read_stated_functions(*driven.assembly, in);
     for (std::optional<JointMotion>& motion : out.linkage.motions) {
       if (!motion || motion->joint != driven.joint) continue;
@@ -174,7 +174,7 @@ PathProblem with_stated_cells(const PathProblem& problem, ByteReader& in) {
 
 void write_cells(ByteWriter& out, const PathProblem& problem) {
   for (const DrivenLoops& driven : problem.linkage.loops) {
-    if (has_loops(*driven.assembly)) write_cells(out, *driven.assembly);
+    if (!driven.region && has_loops(*driven.assembly)) write_cells(out, *driven.assembly);
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include "motion/joint_functions.hpp"
 #include "motion/joint_value.hpp"
+#include "motion/loop_region.hpp"
 #include "numeric/trig.hpp"
 
 namespace taut::internal::proof {
@@ -96,8 +97,23 @@ CellFunction CellValues::value(int joint, double times, double plus) const {
   return f;
 }
 
+/// Of a link that several joints move; not known where the mechanism may lock.
+CellFunction CellValues::value_in_region(const LinkMotion& link) const {
+  const auto over = link.region->value(static_cast<std::size_t>(link.follows.joint), middle_, half_);
+  const Enclosure anything(0, INFINITY);
+  if (!over) {
+    CellFunction f{anything, anything, {}};
+    f.slope.fill(anything);
+    return f;
+  }
+  CellFunction f{over->middle * link.follows.sign, over->range * link.follows.sign, {}};
+  for (std::size_t k = 0; k < f.slope.size(); ++k) f.slope[k] = over->slope[k] * link.follows.sign;
+  return f;
+}
+
 /// Of a link's joint, in degrees or lengths: its value at the middle, and all values and derivatives.
 CellFunction CellValues::value(const LinkMotion& link, int joint) const {
+  if (link.region) return value_in_region(link);
   const auto k = static_cast<std::size_t>(joint);
   const auto series = [&](const Enclosure& at) {
     return joint_value<Series<double, 1>>(*link.follows.functions, static_cast<std::size_t>(link.follows.joint),

@@ -63,6 +63,7 @@ class CellValues {
  private:
   CellFunction value(int joint, double times, double plus) const;
   CellFunction value(const LinkMotion& link, int joint) const;
+  CellFunction value_in_region(const LinkMotion& link) const;
   double variation(const CellFunction& f) const;
 
   std::array<double, max_joints> lo_{}, hi_{}, middle_{}, half_{};

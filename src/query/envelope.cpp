@@ -77,6 +77,10 @@ class EnvelopeSearch {
 
   void evaluate(OpenCell& cell) {
     std::array<double, max_joints> effect{};
+    if (const MayLock lock = pairs_.may_lock(cell.box); lock.anywhere) {
+      for (std::size_t k = 0; k < linkage_.joints.size(); ++k) effect[k] = lock.joints[k] ? side(cell, k) : 0;
+      return divide(cell, effect, true);
+    }
     OpenCell left{cell.box, cell.share, {}, {}};
     for (std::size_t i = 0; i < cell.pairs.size(); ++i) {
       const LinkedPair& pair = pairs_[cell.pairs[i]];
@@ -89,7 +93,7 @@ class EnvelopeSearch {
       add_effect(pair, seen, effect);
     }
     if (left.pairs.empty()) return note(cell, CellState::free, {});
-    divide(left, effect);
+    divide(left, effect, false);
   }
   /// How far the joints may move a pair's bodies across the cell. To first order that may be 0 at the middle and matter
   /// nevertheless: each joint that the pair follows may be all of what the model leaves out, unless that is rounding.
@@ -111,7 +115,7 @@ class EnvelopeSearch {
   }
   /// Across the joint that moves most, of those whose sides are longer than the tolerance. Halves overlap by what
   /// rounds.
-  void divide(const OpenCell& cell, const std::array<double, max_joints>& effect) {
+  void divide(const OpenCell& cell, const std::array<double, max_joints>& effect, bool may_lock) {
     std::optional<std::size_t> widest;
     for (std::size_t k = 0; k < linkage_.joints.size(); ++k) {
       const double half = cell.box.half[k] / 2, middle = cell.box.middle[k];
@@ -120,7 +124,12 @@ class EnvelopeSearch {
         continue;
       if (!widest || effect[k] > effect[*widest]) widest = k;
     }
-    if (!widest) return note(cell, CellState::undecided, bodies_of(cell.pairs.front()));
+    if (!widest) {
+      note(cell, CellState::undecided, bodies_of(cell.pairs.front()));
+      answer_.cells.back().may_lock = may_lock;
+      if (may_lock) answer_.may_lock += cell.share;
+      return;
+    }
     for (const double sign : {-1.0, 1.0}) {
       OpenCell half = cell;
       half.share /= 2;
@@ -160,7 +169,7 @@ class EnvelopeSearch {
       JointCell point;
       for (std::size_t k = 0; k < linkage_.joints.size(); ++k)
         point.middle[k] = cell.lo[k] + (cell.hi[k] - cell.lo[k]) / 2;
-      for (std::size_t i = 0; i < cells_.size(); ++i) {
+      for (std::size_t i = 0; i < cells_.size() && !pairs_.may_lock(point).anywhere; ++i) {
         std::optional<InnerPoint> hint;
         if (cells_[i].evaluate(pairs_.between(pairs_[i], point), hint) != CellState::colliding) continue;
         answer_.witness = {point.middle, pairs_[i].bodies};

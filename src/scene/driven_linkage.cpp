@@ -1,11 +1,14 @@
-// A mechanism as a linkage: each of its driven joints moves loops of its own, as functions of that joint's value.
+// A mechanism as a linkage: its links are functions of the driven joints' values, of one or of several that move a loop
+// together.
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <set>
 
 #include <fmt/format.h>
 
+#include "motion/loop_region.hpp"
 #include "scene/linkage.hpp"
 #include "scene/mechanism.hpp"
 #include "taut/error.hpp"
@@ -88,21 +91,25 @@ class DrivenLinkage {
     // What is wrong with the drawing itself is no matter of any range.
     const Scene drawn = assembled(held_scene());
     const AssembledMechanism& mechanism = *drawn.assembly;
-    std::vector<Scene> alone;
-    for (std::size_t drive = 0; drive < driven_.size(); ++drive) {
-      alone.push_back(moved_alone(drive));
-      linkage_.loops.push_back({static_cast<int>(driven_[drive]), alone.back().assembly});
-    }
     const DrivesOfJoints drives(mechanism.functions->equations());
+    std::map<std::set<std::size_t>, Moved> moved;
     for (std::size_t k = 0; k < mechanism.tree.links.size(); ++k) {
       const auto body = static_cast<std::size_t>(mechanism.tree.links[k].body);
-      const std::size_t drive = only_drive(drives.of(k), linkage_.scene.bodies[body].name);
-      const Body& moved = alone[drive].bodies[body];
-      const MotionPiece& piece = moved.motion.pieces.front();
-      linkage_.scene.bodies[body].relative_to = moved.relative_to;
-      linkage_.motions[body] = JointMotion{LinkMotion{std::get<JointFollower>(piece.rotation), piece.pivot},
-                                           static_cast<int>(driven_[drive])};
+      std::set<std::size_t> together = drives.of(k);
+      // What no drive moves rests, whatever the first one does.
+      if (together.empty()) together = {0};
+      const auto [known, is_new] = moved.try_emplace(together);
+      if (is_new) known->second = moved_by(together, drawn);
+      const Body& link = known->second.scene.bodies[body];
+      const MotionPiece& piece = link.motion.pieces.front();
+      linkage_.scene.bodies[body].relative_to = link.relative_to;
+      linkage_.motions[body] =
+          JointMotion{LinkMotion{std::get<JointFollower>(piece.rotation), piece.pivot, known->second.region},
+                      static_cast<int>(driven_[*together.begin()])};
     }
+    for (auto& [together, loops] : moved)
+      linkage_.loops.push_back(
+          {static_cast<int>(driven_[*together.begin()]), loops.region ? nullptr : loops.scene.assembly, loops.region});
     return std::move(linkage_);
   }
 
@@ -136,12 +143,32 @@ class DrivenLinkage {
     return scene;
   }
 
-  /// One joint goes through its range, with its value as the time.
-  Scene moved_alone(std::size_t drive) const {
-    const Joint& moved = joint(driven_[drive]);
+  /// How some drives move their loops.
+  struct Moved {
+    Scene scene;  ///< of one drive: with its value as the time; else as drawn
+    std::shared_ptr<const LoopRegion> region = nullptr;
+  };
+  Moved moved_by(const std::set<std::size_t>& together, const Scene& drawn) const {
+    if (together.size() == 1) return {moved_alone(*together.begin())};
+    std::vector<LoopRegion::Range> ranges;
+    for (const std::size_t drive : together) {
+      const Joint& moved = joint(driven_[drive]);
+      require_range(moved);
+      ranges.push_back({static_cast<int>(driven_[drive]), static_cast<int>(drive), moved.lo, moved.hi});
+    }
+    return {drawn, std::make_shared<const LoopRegion>(drawn.assembly->functions->equations(), std::move(ranges))};
+  }
+
+  static void require_range(const Joint& moved) {
     if (!std::isfinite(moved.lo) || !std::isfinite(moved.hi) || moved.hi < moved.lo)
       throw InputError("mechanism: drive " + moved.name, "its range does not go from a number to one that is no less",
                        range_hint);
+  }
+
+  /// One joint goes through its range, with its value as the time.
+  Scene moved_alone(std::size_t drive) const {
+    const Joint& moved = joint(driven_[drive]);
+    require_range(moved);
     Scene scene = held_scene();
     scene.start = moved.lo;
     // A range of one value is for a joint that is held.
@@ -164,18 +191,6 @@ class DrivenLinkage {
                      fmt::format("the mechanism locks within its range [{}, {}], between {} and {} ({}; {})", joint.lo,
                                  joint.hi, lock.time[0], lock.time[1], to_string(lock.kind), links),
                      reach_hint);
-  }
-
-  std::size_t only_drive(const std::set<std::size_t>& drives, const std::string& link) const {
-    if (drives.size() > 1) {
-      const auto name = [&](std::size_t drive) { return "\"" + joint(driven_[drive]).name + "\""; };
-      throw InputError(
-          "mechanism: drive",
-          fmt::format("link \"{}\" moves with {} and {} in one loop, which is not a function of one of them", link,
-                      name(*drives.begin()), name(*std::next(drives.begin()))),
-          "give the drives a time, and ask `taut check` or `taut intervals` about each motion");
-    }
-    return drives.empty() ? 0 : *drives.begin();
   }
 
   Linkage linkage_;

@@ -6,6 +6,7 @@
 
 #include "motion/joint_functions.hpp"
 #include "motion/joint_value.hpp"
+#include "motion/loop_region.hpp"
 #include "scene/linkage.hpp"
 #include "scene/validate_scene.hpp"
 #include "taut/error.hpp"
@@ -35,14 +36,22 @@ std::vector<JointMotion> single_motions(const JointMotion& motion) {
   return single;
 }
 
-double value_of_link(const LinkMotion& link, double value) {
-  return joint_value<Series<double, 0>>(*link.follows.functions, static_cast<std::size_t>(link.follows.joint),
-                                        static_cast<std::size_t>(link.follows.piece), Ball<double>::exact(value))
+std::optional<double> value_of_link(const LinkMotion& link, int joint, const JointValues& values) {
+  const auto followed = static_cast<std::size_t>(link.follows.joint);
+  if (link.region) {
+    const auto value = link.region->value(followed, values, {});
+    return value ? std::optional(value->middle.mid) : std::nullopt;
+  }
+  return joint_value<Series<double, 0>>(*link.follows.functions, followed, static_cast<std::size_t>(link.follows.piece),
+                                        Ball<double>::exact(values[static_cast<std::size_t>(joint)]))
       .c[0]
       .mid;
 }
 
 bool follows(const JointMotion& motion, std::size_t joint) {
+  const auto* link = std::get_if<LinkMotion>(&motion.kind);
+  if (link && link->region)
+    return link->region->depends(static_cast<std::size_t>(link->follows.joint), static_cast<int>(joint));
   const std::vector<JointMotion> single = single_motions(motion);
   return std::any_of(single.begin(), single.end(),
                      [&](const JointMotion& m) { return static_cast<std::size_t>(m.joint) == joint; });
@@ -97,11 +106,15 @@ void validate_motion(const JointMotion& motion, const std::vector<Joint>& joints
   for (const JointMotion& m : single) validate_single(m, joints, place);
 }
 
-/// What a link of a mechanism does at this value of the joint that drives it.
-void add_to(MotionPiece& piece, const LinkMotion& link, double value) {
+/// What a link of a mechanism does at these values.
+void add_to(MotionPiece& piece, const LinkMotion& link, int joint, const JointValues& values) {
   constexpr double degree = std::numbers::pi / 180;
   const JointFollower& follows = link.follows;
-  const double own = follows.sign * value_of_link(link, value);
+  const std::optional<double> known = value_of_link(link, joint, values);
+  if (!known)
+    throw InputError("mechanism", "at these values of the driven joints it may lock, or it does not get there",
+                     "give values that it reaches from the drawn pose");
+  const double own = follows.sign * *known;
   if (!follows.slides) {
     piece.rotation = AngleRotation{{own * degree}};
     piece.pivot = link.pivot;
@@ -113,8 +126,9 @@ void add_to(MotionPiece& piece, const LinkMotion& link, double value) {
 }
 
 /// Adds what one revolute or slide does at these values. The revolute comes last.
-void add_to(MotionPiece& piece, const JointMotion& motion, double value) {
-  if (const auto* link = std::get_if<LinkMotion>(&motion.kind)) return add_to(piece, *link, value);
+void add_to(MotionPiece& piece, const JointMotion& motion, const JointValues& values) {
+  if (const auto* link = std::get_if<LinkMotion>(&motion.kind)) return add_to(piece, *link, motion.joint, values);
+  const double value = values[static_cast<std::size_t>(motion.joint)];
   if (const auto* revolute = std::get_if<Revolute>(&motion.kind)) {
     const JointAngle angle = joint_angle_of(motion);
     piece.rotation = AngleRotation{{angle.slope * value + angle.offset}};
@@ -148,8 +162,7 @@ Scene posed(const Linkage& linkage, const JointValues& values) {
   for (std::size_t i = 0; i < linkage.motions.size(); ++i) {
     if (!linkage.motions[i]) continue;
     MotionPiece piece;
-    for (const JointMotion& motion : single_motions(*linkage.motions[i]))
-      add_to(piece, motion, values[static_cast<std::size_t>(motion.joint)]);
+    for (const JointMotion& motion : single_motions(*linkage.motions[i])) add_to(piece, motion, values);
     scene.bodies[i].motion.pieces = {piece};
   }
   return scene;

@@ -1,6 +1,7 @@
 // How bodies follow joints.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "taut/envelope.hpp"
@@ -21,8 +22,9 @@ struct JointAngle {
 };
 JointAngle joint_angle_of(const JointMotion& motion);
 
-/// The value of the joint that a link of a mechanism follows, at a value of the driven one: the middle of an enclosure.
-double value_of_link(const LinkMotion& link, double value);
+/// The value of the joint that a link of a mechanism follows, where the linkage's joints have these values: the middle
+/// of an enclosure. Nothing where the mechanism may lock. `joint` is that of the link's JointMotion.
+std::optional<double> value_of_link(const LinkMotion& link, int joint, const JointValues& values);
 
 /// The scene without motions, mechanism and time.
 Scene resting_scene(const Linkage& linkage);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "motion/loop_region.hpp"
 #include "scene/linkage.hpp"
 #include "taut/error.hpp"
 #include "taut/motions.hpp"
@@ -41,6 +42,15 @@ void validate_start(const PathProblem& problem) {
   }
 }
 
+/// A way begins where the drives go to straight from the drawn pose.
+void validate_start_of_loops(const PathProblem& problem) {
+  for (const DrivenLoops& loops : problem.linkage.loops) {
+    if (loops.region && !loops.region->has_straight_way(problem.start))
+      throw InputError("start", "the mechanism may lock on the straight way from the drawn pose to there",
+                       "start nearer to the drawn pose, at which all driven joints have the value 0");
+  }
+}
+
 void validate_goal(const PathProblem& problem) {
   const std::vector<Joint>& joints = problem.linkage.joints;
   bool any = problem.goal_outside;
@@ -63,6 +73,7 @@ void validate(const PathProblem& problem) {
     if (problem.periodic[k]) validate_period(problem, k);
   }
   validate_start(problem);
+  validate_start_of_loops(problem);
   validate_goal(problem);
 }
 

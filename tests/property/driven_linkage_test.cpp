@@ -280,7 +280,7 @@ TEST(DrivenLinkage, NamesWhatIsWrong) {
   const std::string rocker = R"("name":"rocker",)";
   moving.insert(moving.find(rocker) + rocker.size(), R"("motion":{"slide":{"direction":[1,0],"by":"x"}},)");
   expect_refused(moving, "\"rocker\" is a body of the mechanism, and has a motion of its own");
-  // Five bars, and two cranks that move one loop.
+  // Five bars, and two cranks that move one loop: one range goes backwards.
   expect_refused(R"({"format":"taut-scene/1","bodies":[
     {"name":"base","polygon":[[0,-9],[9,-9],[9,-8]]},{"name":"a","polygon":[[0,0],[1,0],[1,9]]},
     {"name":"b","polygon":[[3,9],[4,9],[4,15]]},{"name":"c","polygon":[[8,9],[9,9],[9,14]]},
@@ -289,8 +289,8 @@ TEST(DrivenLinkage, NamesWhatIsWrong) {
     "A":{"revolute":["base","a"],"at":[0,0]},"B":{"revolute":["a","b"],"at":[1,9]},
     "C":{"revolute":["b","c"],"at":[6,15]},"D":{"revolute":["c","d"],"at":[12,9]},
     "E":{"revolute":["base","d"],"at":[13,0]}},
-   "drive":{"A":[0,9],"E":[0,9]}}})",
-                 "in one loop, which is not a function of one of them");
+   "drive":{"A":[0,9],"E":[9,0]}}})",
+                 "to one that is no less");
   try {
     const PathProblem problem =
         parse_path_problem(crank_problem(R"({"A":[0,360]})", R"(,"periodic":["A"],"start":{"A":10},"goal":{"A":20})"));

@@ -200,9 +200,10 @@ struct PathExample {
   PathOutcome outcome;
 };
 const PathExample path_examples[] = {
-    {"paths/arm.json", PathOutcome::path},   {"paths/bracket.json", PathOutcome::path},
-    {"paths/piano.json", PathOutcome::path}, {"paths/piano_long.json", PathOutcome::none},
-    {"paths/reach.json", PathOutcome::none}, {"paths/excavator.json", PathOutcome::path},
+    {"paths/arm.json", PathOutcome::path},      {"paths/bracket.json", PathOutcome::path},
+    {"paths/piano.json", PathOutcome::path},    {"paths/piano_long.json", PathOutcome::none},
+    {"paths/reach.json", PathOutcome::none},    {"paths/excavator.json", PathOutcome::path},
+    {"paths/five_bar.json", PathOutcome::path},
 };
 
 TEST(ExamplePaths, HaveTheStatedOutcomes) {

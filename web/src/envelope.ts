@@ -346,7 +346,9 @@ function stateText(cell: Cell | undefined): string {
   const says: Record<CellState, string> = {
     free: "free: proved for all combinations around this one",
     colliding: `${cell?.pair?.join(" and ")} overlap`,
-    undecided: `not decided${cell?.pair ? `: ${cell.pair.join(" and ")} touch, or nearly do` : ""}`,
+    undecided: cell?.may_lock
+      ? "not decided: the mechanism may lock, or does not get there"
+      : `not decided${cell?.pair ? `: ${cell.pair.join(" and ")} touch, or nearly do` : ""}`,
   };
   return says[cell?.state ?? "undecided"];
 }

@@ -8,6 +8,8 @@ export interface Cell {
   hi: number[];
   /** Names of the two bodies; of cells that are not free. */
   pair?: [string, string];
+  /** Instead of the pair: a mechanism may lock there, or does not get there. */
+  may_lock?: boolean;
 }
 
 export interface Joint {
@@ -21,7 +23,10 @@ export interface JointMotion {
   times?: number;
   plus?: number;
   /** Of a link of a mechanism, instead of times and plus: evenly over the joint's range. */
-  values?: number[];
+  values?: (number | null)[];
+  /** Of a link that several joints move: these, with values evenly over all their ranges, in which the first one varies
+   * fastest; null where the mechanism may lock. */
+  joints?: number[];
   pivot?: [number, number];
   direction?: [number, number];
 }
@@ -71,19 +76,36 @@ function within(parent: Placement, child: Placement): Placement {
   };
 }
 
-/** By linear interpolation between the values of a table, and beyond its ends. */
-function followed(table: number[], value: number, [lo, hi]: [number, number]): number {
-  const last = table.length - 1;
-  const place = hi > lo ? ((value - lo) / (hi - lo)) * last : 0;
-  const k = Math.min(Math.max(Math.floor(place), 0), last - 1);
-  return table[k]! + (place - k) * (table[k + 1]! - table[k]!);
+/** By linear interpolation between the values of a table, and beyond its ends; of several joints, between those of the
+ * corners around that are known, and 0 if there are none. */
+function followed(table: (number | null)[], values: number[], ranges: [number, number][]): number {
+  const count = Math.round(table.length ** (1 / ranges.length));
+  const corners = ranges.reduce(
+    (all, [lo, hi], i) => {
+      const place = hi > lo ? ((values[i]! - lo) / (hi - lo)) * (count - 1) : 0;
+      const k = Math.min(Math.max(Math.floor(place), 0), count - 2);
+      const step = count ** i;
+      return all.flatMap(({ at, weight }) => [
+        { at: at + k * step, weight: weight * (k + 1 - place) },
+        { at: at + (k + 1) * step, weight: weight * (place - k) },
+      ]);
+    },
+    [{ at: 0, weight: 1 }],
+  );
+  const known = corners.filter(({ at, weight }) => table[at] !== null && weight !== 0);
+  const sum = known.reduce((all, { weight }) => all + weight, 0);
+  return sum === 0 ? 0 : known.reduce((all, { at, weight }) => all + weight * table[at]!, 0) / sum;
 }
 
 function singlePlacement(motion: JointMotion, values: number[], joints: Joint[]): Placement {
-  const driving = values[motion.joint]!;
+  const driving = motion.joints ?? [motion.joint];
   const value = motion.values
-    ? followed(motion.values, driving, joints[motion.joint]!.range)
-    : (motion.times ?? 1) * driving + (motion.plus ?? 0);
+    ? followed(
+        motion.values,
+        driving.map((k) => values[k]!),
+        driving.map((k) => joints[k]!.range),
+      )
+    : (motion.times ?? 1) * values[motion.joint]! + (motion.plus ?? 0);
   if (motion.direction) return { ...origin, x: motion.direction[0] * value, y: motion.direction[1] * value };
   const c = Math.cos((value * Math.PI) / 180);
   const s = Math.sin((value * Math.PI) / 180);

@@ -397,6 +397,8 @@ export interface EnvelopeCell {
   lo: number[];
   hi: number[];
   pair?: Pair;
+  /** Of an undecided cell, instead of the pair: a mechanism may lock in it, or does not get there. */
+  may_lock?: boolean;
 }
 export interface EnvelopeAnswer {
   id?: Id;
@@ -408,6 +410,8 @@ export interface EnvelopeAnswer {
   free: number;
   colliding: number;
   undecided: number;
+  /** That share of `undecided` at which a mechanism may lock, or to which it does not get; if there is one. */
+  may_lock?: number;
   tolerance: number;
   reason?: string;
   cells?: EnvelopeCell[];
