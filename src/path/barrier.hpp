@@ -36,7 +36,8 @@ struct BarrierProblem {
   /// Convex polygons beyond each of four sides of the ranges, of displacements that no joint values have.
   std::array<ConvexRing, 4> beyond;
   ExactPoint start;
-  /// Convex. A barrier leads around it or the start, but not around both: to one side of all of it.
+  /// Convex. A barrier leads around it or the start, but not around both, and not through its inside. If touching is
+  /// enough, it may run along the goal, or come to it.
   ConvexRing goal;
   /// Instead of a goal: a barrier leads around the start, and stays in this polygon.
   std::optional<ConvexRing> within;

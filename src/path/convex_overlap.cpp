@@ -1,7 +1,5 @@
 #include "path/convex_overlap.hpp"
 
-#include <algorithm>
-
 namespace taut::internal::path {
 namespace {
 
@@ -26,9 +24,48 @@ std::vector<ExactPoint> common_corners(const ConvexRing& a, const ConvexRing& b)
   return found;
 }
 
+/// The two ends of points on a line; nothing if they are on none.
+ConvexRing ends_of(const ConvexRing& points) {
+  ConvexRing ends = {points[0], points[1]};
+  for (const ExactPoint& p : points) {
+    if (turn_sign(points[0], points[1], p) != 0) return {};
+    if (contains(ends, p)) continue;
+    ends = contains({p, ends[1]}, ends[0]) ? ConvexRing{p, ends[1]} : ConvexRing{ends[0], p};
+  }
+  return ends;
+}
+
+/// A quotient by two doubles.
+Dyadic fine_quotient(const Dyadic& above, const Dyadic& below) {
+  const Dyadic first = Dyadic::exact(nearest_quotient(above, below));
+  return first + Dyadic::exact(nearest_quotient(above - first * below, below));
+}
+/// A sum of corners, each to twice the digits of a double, with weights that are powers of two: inside of what has an
+/// area, also if that is only some units of the last place wide.
+ExactPoint fine_middle(const ConvexRing& corners) {
+  Dyadic x, y;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const ExactPoint& p = corners[i];
+    x = x + fine_quotient(p.x, p.w);
+    y = y + fine_quotient(p.y, p.w);
+    if (i == 0) continue;
+    x = x.halved();
+    y = y.halved();
+  }
+  return ExactPoint::of(x, y);
+}
+
+/// The point by binary numbers, if its coordinates are doubles or have no weight.
+std::optional<ExactPoint> without_weight(const ExactPoint& p) {
+  if (p.w == Dyadic(1, 0)) return p;
+  const Dyadic x = Dyadic::exact(p.near.x), y = Dyadic::exact(p.near.y);
+  if (!(x * p.w == p.x) || !(y * p.w == p.y)) return std::nullopt;
+  return ExactPoint::of(x, y);
+}
+
 }  // namespace
 
-ConvexRing left_of(const ConvexRing& ring, const ExactPoint& a, const ExactPoint& b) {
+ConvexRing left_of(const ConvexRing& ring, const ExactPoint& a, const ExactPoint& b, bool flat) {
   ConvexRing kept;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const ExactPoint &p = ring[i], &q = ring[(i + 1) % ring.size()];
@@ -38,20 +75,31 @@ ConvexRing left_of(const ConvexRing& ring, const ExactPoint& a, const ExactPoint
     if (auto meeting = line_meeting(a, b, p, q)) kept.push_back(std::move(*meeting));
   }
   kept = without_repeated(kept);
-  const bool has_area = kept.size() > 2 && is_inside(kept, rounded_middle(kept));
-  return has_area ? kept : ConvexRing();
+  ConvexRing ends = kept.size() > 2 ? ends_of(kept) : kept;
+  if (ends.empty()) return kept;
+  return flat ? ends : ConvexRing();
+}
+
+ExactPoint middle_of(const ConvexRing& ring) {
+  if (ring.size() < 3) return ring[0];
+  ExactPoint rounded = rounded_middle(ring);
+  return is_inside(ring, rounded) ? rounded : fine_middle(ring);
 }
 
 std::optional<ExactPoint> common_point(const ConvexRing& a, const ConvexRing& b, bool touching) {
   const std::vector<ExactPoint> corners = common_corners(a, b);
   if (corners.empty()) return std::nullopt;
-  ExactPoint middle = rounded_middle(corners);
-  if (is_inside(a, middle) && is_inside(b, middle)) return middle;
+  if (a.size() > 2 && b.size() > 2) {
+    for (const auto middle_by : {rounded_middle, fine_middle}) {
+      const ExactPoint middle = middle_by(corners);
+      if (is_inside(a, middle) && is_inside(b, middle)) return middle;
+    }
+  }
   if (!touching) return std::nullopt;
-  const Dyadic one(1, 0);
-  const auto found = std::find_if(corners.begin(), corners.end(), [&](const ExactPoint& p) { return p.w == one; });
-  if (found == corners.end()) return std::nullopt;
-  return *found;
+  for (const ExactPoint& p : corners) {
+    if (auto exact = without_weight(p)) return exact;
+  }
+  return std::nullopt;
 }
 
 }  // namespace taut::internal::path

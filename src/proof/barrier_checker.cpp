@@ -18,19 +18,6 @@ std::vector<ExactPlace> corners(const Barrier& barrier) {
   return all;
 }
 
-/// Does the closed polygon's boundary miss all of a convex region: a point, a segment, or corners in order?
-bool misses(const std::vector<ExactPlace>& polygon, const std::vector<ExactPlace>& region) {
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    checkpoint();
-    for (std::size_t k = 0; k < region.size(); ++k) {
-      if (segments_meet(polygon[i], polygon[(i + 1) % polygon.size()], region[k], region[(k + 1) % region.size()]))
-        return false;
-    }
-  }
-  // Nor is all of it within the region.
-  return !is_odd(region, polygon.front());
-}
-
 }  // namespace
 
 /// Displacements by the joints that move the bodies of the log's collisions: one, or two that are not parallel.
@@ -150,8 +137,11 @@ void BarrierChecker::require_outside(const Frame& frame, const Barrier& barrier,
   if (on > 1) throw at_edge(edge, "it is along the end of the joint's range");
 }
 
-std::vector<ExactPlace> BarrierChecker::start_region(const Frame& frame) const {
-  return {frame.displaced(problem_.start)};
+bool BarrierChecker::starts_in_goal(const Frame& frame) const {
+  return std::all_of(frame.joints.begin(), frame.joints.end(), [&](std::size_t k) {
+    const auto& goal = problem_.goal[k];
+    return !goal || ((*goal)[0] <= problem_.start[k] && problem_.start[k] <= (*goal)[1]);
+  });
 }
 
 /// Corners in order; of one joint the two ends.
@@ -207,17 +197,22 @@ void BarrierChecker::require(const Barrier& barrier) const {
     barrier.edges[i].kind == BarrierEdge::Kind::collision ? require_collision(frame, barrier, i)
                                                           : require_outside(frame, barrier, i);
   }
-  const std::vector<ExactPlace> polygon = corners(barrier), start = start_region(frame);
-  if (!misses(polygon, start)) throw ProofError("the start is on the polygon");
+  const std::vector<ExactPlace> polygon = corners(barrier);
+  const ExactPlace start = frame.displaced(problem_.start);
+  if (is_on_edge(polygon, start)) throw ProofError("the start is on the polygon");
+  const bool odd = is_odd(polygon, start);
   if (problem_.goal_outside) {
     require_boxes_overlap(frame, barrier);
-    if (!is_odd(polygon, start.front())) throw ProofError("the start is not inside of the polygon");
+    if (!odd) throw ProofError("the start is not inside of the polygon");
     return;
   }
+  // A way from elsewhere comes to the goal where its boundary is.
+  if (starts_in_goal(frame)) throw ProofError("the start is in the goal");
   const std::vector<ExactPlace> goal = goal_region(frame);
-  if (!misses(polygon, goal)) throw ProofError("the polygon meets the goal");
-  if (is_odd(polygon, start.front()) == is_odd(polygon, goal.front()))
-    throw ProofError("the start and the goal are on one side of the polygon");
+  for (std::size_t k = 0; k < goal.size(); ++k) {
+    if (!is_on_or_beside(polygon, goal[k], goal[(k + 1) % goal.size()], !odd))
+      throw ProofError("the start and some of the goal are on one side of the polygon");
+  }
 }
 
 }  // namespace taut::internal::proof

@@ -32,7 +32,7 @@ class BarrierChecker {
   Frame frame_of(const Barrier& barrier) const;
   void require_collision(const Frame& frame, const Barrier& barrier, std::size_t edge) const;
   void require_outside(const Frame& frame, const Barrier& barrier, std::size_t edge) const;
-  std::vector<ExactPlace> start_region(const Frame& frame) const;
+  bool starts_in_goal(const Frame& frame) const;
   std::vector<ExactPlace> goal_region(const Frame& frame) const;
   void require_boxes_overlap(const Frame& frame, const Barrier& barrier) const;
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numeric/budget.hpp"
+
 namespace taut::internal::proof {
 namespace {
 
@@ -52,6 +54,27 @@ bool holds_place(const std::vector<Polygon>& rings, const ExactPlace& p) {
   return inside;
 }
 
+/// Of two numbers, the second one positive.
+struct Fraction {
+  Dyadic above, below;
+};
+
+/// The shares of the way from p to q at which a closed polygon's edges may cross it, begin or end on it; 0 and 1.
+std::vector<Fraction> cuts_of(const std::vector<ExactPlace>& polygon, const ExactPlace& p, const ExactPlace& q) {
+  const Dyadic one(1, 0);
+  std::vector<Fraction> cuts = {{Dyadic(), one}, {one, one}};
+  const ExactPlace along = q - p;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const ExactPlace &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+    const Dyadic at_a = cross(along, a - p), at_b = cross(along, b - p);
+    if (at_a.is_zero() && is_on(a, p, q) && p != q) cuts.push_back({dot(along, a - p), dot(along, along)});
+    if (at_a.sign() * at_b.sign() >= 0 || turn_of(a, b, p) * turn_of(a, b, q) >= 0) continue;
+    const Dyadic below = cross(along, b - a), above = cross(a - p, b - a);
+    cuts.push_back(below.sign() > 0 ? Fraction{above, below} : Fraction{-above, -below});
+  }
+  return cuts;
+}
+
 }  // namespace
 
 Dyadic dot(const ExactPlace& a, const ExactPlace& b) { return a.x * b.x + a.y * b.y; }
@@ -62,6 +85,31 @@ int turn_of(const ExactPlace& a, const ExactPlace& b, const ExactPlace& p) { ret
 bool segments_meet(const ExactPlace& a, const ExactPlace& b, const ExactPlace& c, const ExactPlace& d) {
   if (is_on(a, c, d) || is_on(b, c, d) || is_on(c, a, b) || is_on(d, a, b)) return true;
   return turn_of(a, b, c) * turn_of(a, b, d) < 0 && turn_of(c, d, a) * turn_of(c, d, b) < 0;
+}
+
+bool is_on_or_beside(const std::vector<ExactPlace>& polygon, const ExactPlace& p, const ExactPlace& q, bool odd) {
+  std::vector<Fraction> cuts = cuts_of(polygon, p, q);
+  std::sort(cuts.begin(), cuts.end(),
+            [](const Fraction& a, const Fraction& b) { return (a.above * b.below - b.above * a.below).sign() < 0; });
+  // Between two cuts, all points are on an edge, or none is on any, and all have as many to their right.
+  for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+    checkpoint();
+    const Dyadic above = cuts[i].above * cuts[i + 1].below + cuts[i + 1].above * cuts[i].below,
+                 below = cuts[i].below * cuts[i + 1].below + cuts[i].below * cuts[i + 1].below;
+    // All is larger by `below`, so that nothing is divided.
+    std::vector<ExactPlace> larger;
+    for (const ExactPlace& corner : polygon) larger.push_back(below * corner);
+    const ExactPlace middle = below * p + above * (q - p);
+    if (!is_on_edge(larger, middle) && is_odd(larger, middle) != odd) return false;
+  }
+  return true;
+}
+
+bool is_on_edge(const std::vector<ExactPlace>& polygon, const ExactPlace& p) {
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    if (is_on(p, polygon[i], polygon[(i + 1) % polygon.size()])) return true;
+  }
+  return false;
 }
 
 bool is_odd(const std::vector<ExactPlace>& polygon, const ExactPlace& p) {

@@ -232,20 +232,32 @@ class Checker:
         for i in range(len(self.edges)):
             self.collides(i) if self.edges[i][1] else self.is_outside(i)
         start = self.displaced(self.problem.start)
-        require(self.misses([start]), "the start is on the polygon")
+        around = inside([self.corners], start)
+        require(around != 0, "the start is on the polygon")
         if self.boxes:
             self.boxes_overlap()
-            require(inside([self.corners], start) > 0, "the start is not inside")
+            require(around > 0, "the start is not inside")
             return
         ranges = []
         for j in self.moving:
             (lo, hi), goal = self.problem.joints[j], self.problem.goal.get(j)
             ranges.append((max(lo, goal[0]), min(hi, goal[1])) if goal else (lo, hi))
+        require(not all(lo <= self.problem.start[j] <= hi for j, (lo, hi) in zip(self.moving, ranges)),
+                "the start is in the goal")
         region = [self.displaced(dict(zip(self.moving, v))) for v in itertools.product(*ranges)]
         if len(region) == 4:
             region[2:] = region[:1:-1]
-        require(self.misses(region), "the polygon meets the goal")
-        require(inside([self.corners], start) != inside([self.corners], region[0]), "both are on one side")
+        for a, b in zip(region, region[1:] + region[:1]):
+            require(self.parts(around, a, b), "some of the goal is on the start's side")
+
+    def parts(self, around, p, q):
+        """Is each point from p to q on the polygon, or on the other side of it than what is `around` there?"""
+        places = {Fraction(0), Fraction(1)}
+        for a, b in zip(self.corners, self.corners[1:] + self.corners[:1]):
+            places.update(shares(p, q, a, b))
+        ordered = sorted(places)
+        samples = ordered + [(a + b) / 2 for a, b in zip(ordered, ordered[1:])]
+        return all(inside([self.corners], (p[0] + s * (q[0] - p[0]), p[1] + s * (q[1] - p[1]))) != around for s in samples)
 
     def displaced(self, values):
         return tuple(sum(values[j] * self.vectors[j][k] for j in self.moving) for k in (0, 1))
@@ -286,13 +298,6 @@ class Checker:
         value = cross(at, v) / det if side < 2 else cross(u, at) / det
         lo, hi = self.problem.joints[self.moving[side // 2]] if side // 2 < len(self.moving) else (0, 0)
         return value - hi if side % 2 else lo - value
-
-    def misses(self, region):
-        edges = list(zip(region, region[1:] + region[:1]))
-        for a, b in zip(self.corners, self.corners[1:] + self.corners[:1]):
-            if any(shares(a, b, *edge) for edge in edges):
-                return False
-        return len(region) < 3 or inside([region], self.corners[0]) < 0
 
     def boxes_overlap(self):
         moving, resting = self.boxes

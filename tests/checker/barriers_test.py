@@ -22,8 +22,9 @@ RANDOM = effort(400, 60)
 DAMAGED = 4
 
 
-def random_scene(rng):
-    """Blocks of a grid around a mover of a few blocks; moved along the axes, or by two slides across each other."""
+def random_scene(rng, touch):
+    """Blocks of a grid around a mover of a few blocks; moved along the axes, or by one slide. Where bodies may not touch, the mover
+    is half of a block, and goals are often where it touches one."""
     size, outside = rng.randint(3, 6), rng.random() < 0.3
     block = lambda at: [[at[0], at[1]], [at[0] + 1, at[1]], [at[0] + 1, at[1] + 1], [at[0], at[1] + 1]]
     scale = rng.choice([1, 0.75, 0.1])
@@ -36,14 +37,18 @@ def random_scene(rng):
     start, goal = rng.choice(free), rng.choice(free)
     mover = [(0, 0)] + ([(1, 0)] if (start[0] + 1, start[1]) in free and rng.random() < 0.5 else [])
     slides = rng.random() < 0.2
+    parts, room = [drawn(block(at)) for at in mover], 0
+    if touch == "closed":
+        parts, room = [drawn([[0, 0], [0.5, 0], [0.5, 0.5], [0, 0.5]])], 0.25
     motion = {"slide": {"direction": [2, 1], "by": "x", "plus": 0.5 * scale}} if slides else {"free": {"x": "x", "y": "y"}}
     scene = {"format": "taut-scene/1", "joints": {"x": [-2, 2 * size], "y": [-2, 2 * size]},
-             "bodies": [{"name": "mover", "parts": [drawn(block(at)) for at in mover], "motion": motion},
+             "bodies": [{"name": "mover", "parts": parts, "motion": motion},
                         {"name": "rest", "parts": [drawn(block(at)) for at in rest]}],
-             "start": {"x": start[0] * scale, "y": start[1] * scale},
-             "goal": "outside" if outside else {"x": goal[0] * scale}}
+             "start": {"x": (start[0] + room) * scale, "y": (start[1] + room) * scale},
+             "goal": "outside" if outside else {"x": (goal[0] + rng.choice([0, room])) * scale}}
     if not outside and rng.random() < 0.5:
-        scene["goal"]["y"] = [goal[1] * scale, goal[1] * scale]
+        low = (goal[1] + rng.choice([0, room])) * scale
+        scene["goal"]["y"] = [low, low + rng.choice([0, 2 * room * scale])]
     return scene
 
 
@@ -125,7 +130,8 @@ def main():
                 run.ask(file.name, json.loads(text), touch)
         rng = random.Random(5)
         for i in range(RANDOM):
-            run.ask(f"random scene {i}", random_scene(rng), rng.choice(["open", "closed"]))
+            touch = rng.choice(["open", "closed"])
+            run.ask(f"random scene {i}", random_scene(rng, touch), touch)
         print(dict(run.seen))
         assert run.seen["logs"] >= RANDOM / 8 and min(run.seen.values()) > 0, run.seen
 

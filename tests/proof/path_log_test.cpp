@@ -110,6 +110,29 @@ PathProblem slot(double width) {
   return problem;
 }
 
+/// The goal is at a wall, or at that distance from it.
+PathProblem against_a_wall(double distance) {
+  PathProblem problem = slot(2);
+  problem.goal[0] = {1.125, 1.125};
+  problem.goal[1] = {-0.5, 0.5};
+  problem.linkage.scene.bodies.push_back({"stop", box(2.125 + distance, -4, 3, 4), {}});
+  problem.linkage.motions.emplace_back();
+  return problem;
+}
+
+/// What is free narrows to a wedge, whose tip is at the goal, (1, 1/3): a number that no log can hold.
+PathProblem wedge() {
+  PathProblem problem;
+  problem.linkage.joints = {{"x", -4, 4}, {"y", -4, 4}};
+  problem.linkage.scene.bodies = {{"square", box(-0.25, -0.25, 0.25, 0.25), {}},
+                                  {"below", {{-5.75, -20}, {6.25, -20}, {6.25, 1.75}, {-5.75, -2.25}}, {}},
+                                  {"above", {{-5.75, 5.25}, {6.25, -2.75}, {6.25, 20}, {-5.75, 20}}, {}}};
+  problem.linkage.motions = {freely(0, 1, {}), std::nullopt, std::nullopt};
+  problem.start = {-2, 0.5};
+  problem.goal[0] = {1, 2};
+  return problem;
+}
+
 /// A part that two joints slide across each other, in a box with an opening of that width.
 PathProblem slid_out(double width) {
   PathProblem problem = container(width);
@@ -174,6 +197,7 @@ std::vector<Case> cases() {
           {"four-bar", four_bar(-1.25), four_bar(-2), 0},
           {"slot", slot(0.95), slot(1), 0, Touch::open, true},
           {"slot that fits exactly", slot(1), slot(1.0625), 0, Touch::closed, true},
+          {"against a wall", against_a_wall(0), against_a_wall(0.125), 0, Touch::closed, true},
           {"slid out", slid_out(0.95), slid_out(1), 0, Touch::open, true},
           {"stopped", stopped(0.75), stopped(3.25), 0, Touch::open, true}};
 }
@@ -226,12 +250,7 @@ TEST(PathLog, IsWrittenForNoWayOnly) {
   std::ostringstream log;
   EXPECT_EQ(prove_path(door(1.1), log).outcome, PathOutcome::path);
   EXPECT_EQ(log.str(), "");
-  // The goal is out of reach only because the bodies touch there: cells do not tell, nor may a polygon lead through it.
-  PathProblem against = slot(2);
-  against.goal[0] = {1.125, 1.125};
-  against.goal[1] = {-0.5, 0.5};
-  against.linkage.scene.bodies.push_back({"stop", box(2.125, -4, 3, 4), {}});
-  against.linkage.motions.emplace_back();
+  const PathProblem against = wedge();
   PathOptions closed;
   closed.touch = Touch::closed;
   closed.tolerance = 0.01;
