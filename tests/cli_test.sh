@@ -690,6 +690,7 @@ expect 3 'limit of cells' '' path --max-cells 10 "$examples/paths/piano_long.jso
 expect 3 'time limit' '' path --max-seconds 0 "$examples/paths/piano.json"
 expect 2 '' 'tolerance: it is not between' path --tolerance 0 "$examples/paths/piano.json"
 expect 2 '' '"start" is missing' path "$examples/linkages/lift.json"
+expect 2 '' '^hint: write a scene as .*"start":."x":1.,"goal":."x":8.' path "$examples/linkages/lift.json"
 expect 1 'COLLIDES' '' envelope --tolerance 0.2 "$examples/paths/bracket.json"
 expect 1 'proof in none.proof, scene [0-9a-f]{16}$' '' prove "$examples/paths/piano_long.json" -o none.proof
 expect 0 '^VALID  piano x walls' '' verify "$examples/paths/piano_long.json" none.proof

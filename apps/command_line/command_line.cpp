@@ -152,7 +152,7 @@ std::string nearest_option(const CLI::App& command, const std::string& word) {
 }
 
 /// CLI11's message in plain words, with what may be meant.
-std::string usage_text(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
+std::string usage_problem(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
   const CLI::App& command = command_of(app, argc, argv);
   const auto is = [&](CLI::ExitCodes code) { return error.get_exit_code() == static_cast<int>(code); };
   if (is(CLI::ExitCodes::ExtrasError)) {
@@ -185,6 +185,22 @@ std::string usage_text(const CLI::App& app, const CLI::ParseError& error, int ar
     return "what is wanted is missing\nhint: one of " + all;
   }
   return error.what();
+}
+
+/// What the option is that a message begins with: its name, its value and its description.
+std::string option_hint(const CLI::App& command, const std::string& text) {
+  const std::string name = text.substr(0, text.find_first_of(": "));
+  const CLI::Option* option = name.rfind("--", 0) == 0 ? command.get_option_no_throw(name) : nullptr;
+  if (!option || text.find('\n') != std::string::npos) return "";
+  const std::string value = option->get_option_text();
+  std::string hint = "\nhint: " + name + (value.empty() ? "" : " " + value) + ": ";
+  for (const char c : option->get_description()) hint += c == '\n' ? std::string("; ") : std::string(1, c);
+  return hint;
+}
+
+std::string usage_text(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
+  const std::string text = usage_problem(app, error, argc, argv);
+  return text + option_hint(command_of(app, argc, argv), text);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "io/json_object.hpp"
 #include "taut/error.hpp"
 
 namespace taut::cli {
@@ -9,14 +10,24 @@ namespace {
 
 bool moves(const Body& body) { return !body.motion.pieces.empty() || !body.relative_to.empty(); }
 
+/// What may be meant, and all that there are.
+std::string names_of(const Scene& scene, const std::string& name) {
+  std::vector<std::string> names;
+  std::string all;
+  for (const Body& body : scene.bodies) {
+    names.push_back(body.name);
+    all += (all.empty() ? "\"" : ", \"") + body.name + "\"";
+  }
+  const std::string near = internal::io::nearest_word(name, names);
+  return (near.empty() ? "" : fmt::format("did you mean \"{}\"? ", near)) + "the scene has " + all;
+}
+
 }  // namespace
 
 BodyId chosen_body(const Scene& scene, const std::string& name) {
   BodyId found = -1;
-  std::string names;
   for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
     const Body& body = scene.bodies[k];
-    names += (names.empty() ? "" : ", ") + body.name;
     if (name.empty() ? !moves(body) : body.name != name) continue;
     if (found >= 0)
       throw InputError("--body", fmt::format("several bodies move: {} and {}", scene.bodies[found].name, body.name),
@@ -26,7 +37,7 @@ BodyId chosen_body(const Scene& scene, const std::string& name) {
   if (found >= 0) return found;
   if (name.empty() && scene.bodies.size() == 1) return 0;
   throw InputError("--body", name.empty() ? "no body moves" : fmt::format("there is no body \"{}\"", name),
-                   "the scene has " + names);
+                   names_of(scene, name));
 }
 
 }  // namespace taut::cli

@@ -117,7 +117,8 @@ PathAnswer find_path(const PathProblem& problem, const PathOptions& options = {}
 /// Throws InputError unless the problem can be asked about.
 void validate(const PathProblem& problem);
 
-/// An ordinary scene in which the bodies go along the waypoints: one unit of time from each to the next.
+/// An ordinary scene in which the bodies go along the waypoints: one unit of time from each to the next. If all
+/// waypoints are the same, pairs that no joint moves are ignored, unless the problem tests them.
 Scene path_scene(const PathProblem& problem, const std::vector<JointValues>& waypoints);
 
 /// The answer of find_path() as `taut path --json` prints it; `cells`: with the whole partition.

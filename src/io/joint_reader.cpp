@@ -11,6 +11,7 @@
 #include "io/text_file.hpp"
 #include "motion/loop_region.hpp"
 #include "scene/linkage.hpp"
+#include "taut/error.hpp"
 #include "taut/shape.hpp"
 
 namespace taut::internal::io {
@@ -91,6 +92,16 @@ class JointMotionReader {
   const std::vector<Joint>& joints_;
 };
 
+/// What is wrong with a value, with its place in the file.
+template <class Require>
+void require_at(const JsonDocument& document, std::size_t token, const std::string& path, const Require& require) {
+  try {
+    require();
+  } catch (const InputError& error) {
+    throw document.error(token, path, error.problem(), error.hint());
+  }
+}
+
 /// One value for each joint that is named, by a function of its number, its token and its path.
 template <class Read>
 void read_values(const JsonDocument& document, std::size_t token, const char* key, const std::vector<Joint>& joints,
@@ -126,6 +137,7 @@ void read_start(const JsonDocument& document, std::size_t token, PathProblem& pr
   const std::vector<Joint>& joints = problem.linkage.joints;
   read_values(document, token, "start", joints, [&](std::size_t k, std::size_t value, const std::string& path) {
     problem.start[k] = read_number(document, value, path);
+    require_at(document, value, path, [&] { require_start(joints[k], problem.start[k]); });
     given[k] = true;
   });
   for (std::size_t k = 0; k < joints.size(); ++k) {
@@ -135,6 +147,21 @@ void read_start(const JsonDocument& document, std::size_t token, PathProblem& pr
   }
 }
 
+namespace {
+
+std::array<double, 2> read_goal_of_joint(const JsonDocument& document, std::size_t token, const std::string& path) {
+  if (document.at(token).kind() != JsonKind::array) {
+    const double at = read_number(document, token, path);
+    return {at, at};
+  }
+  const auto range = read_numbers(document, token, path, "[lo, hi]", 2, "write [lo, hi]");
+  if (range.size() != 2 || range[1] < range[0])
+    throw document.error(token, path, "it is no range", "write [lo, hi] with lo no larger than hi");
+  return {range[0], range[1]};
+}
+
+}  // namespace
+
 void read_goal(const JsonDocument& document, std::size_t token, PathProblem& problem) {
   if (document.at(token).kind() == JsonKind::string) {
     problem.goal_outside = document.string_at(token) == "outside";
@@ -142,18 +169,11 @@ void read_goal(const JsonDocument& document, std::size_t token, PathProblem& pro
     throw document.error(token, "goal", "unknown goal \"" + excerpt(document.string_at(token)) + "\"",
                          R"(write "goal": "outside", or {"x": [8, 9], "y": 7})");
   }
-  read_values(document, token, "goal", problem.linkage.joints,
-              [&](std::size_t k, std::size_t value, const std::string& path) {
-                if (document.at(value).kind() != JsonKind::array) {
-                  const double at = read_number(document, value, path);
-                  problem.goal[k] = {at, at};
-                  return;
-                }
-                const auto range = read_numbers(document, value, path, "[lo, hi]", 2, "write [lo, hi]");
-                if (range.size() != 2 || range[1] < range[0])
-                  throw document.error(value, path, "it is no range", "write [lo, hi] with lo no larger than hi");
-                problem.goal[k] = {range[0], range[1]};
-              });
+  const std::vector<Joint>& joints = problem.linkage.joints;
+  read_values(document, token, "goal", joints, [&](std::size_t k, std::size_t value, const std::string& path) {
+    problem.goal[k] = read_goal_of_joint(document, value, path);
+    require_at(document, value, path, [&] { require_goal(joints[k], *problem.goal[k]); });
+  });
 }
 
 std::vector<Joint> read_joints(const JsonDocument& document, std::size_t token) {

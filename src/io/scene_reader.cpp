@@ -83,13 +83,13 @@ class SceneReader {
 
   Linkage read_linkage() const {
     PathProblem problem;
-    read_joints_and_bodies(problem);
+    read_joints_and_bodies(problem, linkage_shape);
     return std::move(problem.linkage);
   }
 
   PathProblem read_path_problem() const {
     PathProblem problem;
-    const JsonObject root = read_joints_and_bodies(problem);
+    const JsonObject root = read_joints_and_bodies(problem, path_shape);
     if (const auto periodic = root.find("periodic")) io::read_periodic(document_, *periodic, problem);
     io::read_start(document_, root.get("start"), problem);
     io::read_goal(document_, root.get("goal"), problem);
@@ -107,7 +107,7 @@ class SceneReader {
     }
   }
 
-  JsonObject read_joints_and_bodies(PathProblem& problem) const {
+  JsonObject read_joints_and_bodies(PathProblem& problem, const char* shape) const {
     refuse_geojson();
     if (document_.at(0).kind() == JsonKind::object && io::has_member(document_, 0, "time"))
       throw document_.error(
@@ -121,7 +121,7 @@ class SceneReader {
     JsonObject root(
         document_, 0, "",
         {"format", "joints", "periodic", "start", "goal", "bodies", "ignore", "at_rest", "id", "mechanism", "$schema"},
-        linkage_shape);
+        shape);
     read_format(root.get("format"));
     Linkage& linkage = problem.linkage;
     const auto mechanism = root.find("mechanism");

@@ -12,10 +12,8 @@ WayChecker::WayChecker(const PathProblem& problem, const JointSpace& space, cons
 /// Pairs that no joint moves against each other are no part of the question, but for those that were tested; all others
 /// are tested, also if nothing moves them on this way.
 Scene WayChecker::scene_of(const std::vector<JointValues>& way) const {
-  Scene scene = path_scene(problem_, way);
-  for (const auto& [a, b] : space_.pairs().fixed())
-    scene.ignore.push_back(
-        {scene.bodies[static_cast<std::size_t>(a)].name, scene.bodies[static_cast<std::size_t>(b)].name});
+  Scene scene = scene_along(problem_, way);
+  ignore_pairs(scene, space_.pairs().fixed());
   scene.at_rest = AtRest::test;
   return scene;
 }

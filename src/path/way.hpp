@@ -16,6 +16,10 @@ struct StillCollision {
   std::string reason;
 };
 
+/// As path_scene(), but for what is ignored if nothing moves.
+Scene scene_along(const PathProblem& problem, const std::vector<JointValues>& waypoints);
+void ignore_pairs(Scene& scene, const std::vector<std::array<BodyId, 2>>& pairs);
+
 class WayChecker {
  public:
   WayChecker(const PathProblem& problem, const JointSpace& space, const PathOptions& options);

@@ -1,12 +1,12 @@
-// Is this a problem that can be asked about, and where are its bodies along a way?
+// Is this a problem that can be asked about?
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "motion/loop_region.hpp"
 #include "scene/linkage.hpp"
 #include "taut/error.hpp"
-#include "taut/motions.hpp"
 #include "taut/path.hpp"
 
 namespace taut {
@@ -33,13 +33,10 @@ void validate_period(const PathProblem& problem, std::size_t joint) {
   }
 }
 
-void validate_start(const PathProblem& problem) {
-  const std::vector<Joint>& joints = problem.linkage.joints;
-  for (std::size_t k = 0; k < joints.size(); ++k) {
-    if (problem.start[k] >= joints[k].lo && problem.start[k] <= joints[k].hi) continue;
-    throw InputError("start." + joints[k].name, "it is not within the joint's range",
-                     "give a value in the range, or widen it");
-  }
+InputError out_of_range(const char* where, const Joint& joint, const std::string& values) {
+  return InputError(where + ("." + joint.name),
+                    fmt::format("{} within the joint's range, [{}, {}]", values, joint.lo, joint.hi),
+                    "give a value in the range, or widen it");
 }
 
 /// A way begins where the drives go to straight from the drawn pose.
@@ -57,80 +54,33 @@ void validate_goal(const PathProblem& problem) {
   for (std::size_t k = 0; k < joints.size(); ++k) {
     if (!problem.goal[k]) continue;
     any = true;
-    const auto& [lo, hi] = *problem.goal[k];
-    if (!std::isfinite(lo) || !std::isfinite(hi) || hi < lo || hi < joints[k].lo || lo > joints[k].hi)
-      throw InputError("goal." + joints[k].name, "no value of it is within the joint's range",
-                       "give a value in the range, or widen it");
+    require_goal(joints[k], *problem.goal[k]);
   }
   if (!any) throw InputError("goal", "it names no joint", R"(write "goal": {"x": [8, 9]}, or "goal": "outside")");
 }
 
 }  // namespace
 
+void internal::require_start(const Joint& joint, double value) {
+  if (!(value >= joint.lo && value <= joint.hi)) throw out_of_range("start", joint, fmt::format("{} is not", value));
+}
+
+void internal::require_goal(const Joint& joint, const std::array<double, 2>& range) {
+  const auto [lo, hi] = range;
+  if (std::isfinite(lo) && std::isfinite(hi) && lo <= hi && hi >= joint.lo && lo <= joint.hi) return;
+  throw out_of_range("goal", joint,
+                     lo == hi ? fmt::format("{} is not", lo) : fmt::format("no value of [{}, {}] is", lo, hi));
+}
+
 void validate(const PathProblem& problem) {
   validate(problem.linkage);
   for (std::size_t k = 0; k < problem.linkage.joints.size(); ++k) {
     if (problem.periodic[k]) validate_period(problem, k);
   }
-  validate_start(problem);
+  for (std::size_t k = 0; k < problem.linkage.joints.size(); ++k)
+    require_start(problem.linkage.joints[k], problem.start[k]);
   validate_start_of_loops(problem);
   validate_goal(problem);
-}
-
-namespace {
-
-/// The driven joints of a mechanism move from waypoint to waypoint. Its links have neither motions nor parents yet.
-void drive_along(const PathProblem& problem, const std::vector<JointValues>& waypoints, Scene& scene) {
-  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-    const auto& motion = problem.linkage.motions[i];
-    if (motion && std::holds_alternative<LinkMotion>(motion->kind)) scene.bodies[i].relative_to.clear();
-  }
-  for (std::size_t k = 0; k < problem.linkage.joints.size(); ++k) {
-    const std::string& name = problem.linkage.joints[k].name;
-    if (!is_joint_of(*scene.mechanism, name)) continue;
-    Drive drive{name, {}};
-    for (std::size_t n = 1; n < waypoints.size(); ++n) {
-      const auto t = static_cast<double>(n);
-      drive.pieces.push_back({t, std::array<double, 4>{t - 1, waypoints[n - 1][k], t, waypoints[n][k]}, {}});
-    }
-    if (drive.pieces.empty()) {
-      drive.pieces.emplace_back();
-      drive.pieces.back().polynomial = {waypoints[0][k]};
-    }
-    drive.pieces.back().until = std::numeric_limits<double>::infinity();
-    scene.mechanism->drives.push_back(std::move(drive));
-  }
-}
-
-}  // namespace
-
-Scene path_scene(const PathProblem& problem, const std::vector<JointValues>& waypoints) {
-  Scene scene = problem.linkage.scene;
-  scene.start = 0;
-  scene.end = static_cast<double>(waypoints.size()) - 1;
-  if (scene.mechanism) drive_along(problem, waypoints, scene);
-  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-    scene.bodies[i].motion = {};
-    if (i >= problem.linkage.motions.size() || !problem.linkage.motions[i]) continue;
-    if (std::holds_alternative<LinkMotion>(problem.linkage.motions[i]->kind)) continue;
-    std::vector<Keyframe> frames(waypoints.size());
-    Point pivot;
-    for (const JointMotion& motion : single_motions(*problem.linkage.motions[i])) {
-      if (const auto* revolute = std::get_if<Revolute>(&motion.kind)) pivot = revolute->pivot;
-      for (std::size_t n = 0; n < waypoints.size(); ++n) {
-        const double value = motion.times * waypoints[n][static_cast<std::size_t>(motion.joint)] + motion.plus;
-        frames[n].t = static_cast<double>(n);
-        if (const auto* slide = std::get_if<Slide>(&motion.kind)) {
-          frames[n].x += value * slide->direction.x;
-          frames[n].y += value * slide->direction.y;
-        } else {
-          frames[n].angle_deg = value;
-        }
-      }
-    }
-    scene.bodies[i].motion = from_keyframes(frames, pivot);
-  }
-  return assembled(std::move(scene));
 }
 
 }  // namespace taut

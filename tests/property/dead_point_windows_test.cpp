@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "solver/pair_instance.hpp"
+#include "solver/pair_solver.hpp"
 #include "spacetime/frame_window.hpp"
 #include "taut/io.hpp"
 

@@ -253,7 +253,8 @@ TEST(Path, StartsAndGoalsThatCollide) {
   problem.start = {4, 3};
   EXPECT_EQ(message(problem, Touch::open).find("none do at"), std::string::npos);
   problem.start = {9, 2};
-  EXPECT_NE(message(problem, Touch::open).find("start.x: it is not within"), std::string::npos);
+  EXPECT_NE(message(problem, Touch::open).find("start.x: 9 is not within the joint's range, [0, 8]"),
+            std::string::npos);
 }
 
 /// The picture shows what the answer says: cells, start, goal, and a way that leaves one side and comes in at the
@@ -367,7 +368,32 @@ TEST(Path, IsReadFromText) {
   EXPECT_NE(refusal(R"("start": {"x": 1}, "goal": "inside")").find("goal"), std::string::npos);
   EXPECT_NE(refusal(R"("start": {"x": 1}, "goal": {"x": [2, 1]})").find("goal.x"), std::string::npos);
   EXPECT_NE(refusal(R"("start": {"x": 1}, "goal": {"x": 1}, "periodic": ["y"])").find("periodic"), std::string::npos);
-  EXPECT_NE(refusal(R"("start": {"x": 1})").find("goal"), std::string::npos);
+  EXPECT_NE(refusal(R"("start": {"x": 1})").find(R"(write a scene as)"), std::string::npos);
+  EXPECT_NE(refusal(R"("start": {"x": 11}, "goal": "outside")").find("11 is not within the joint's range, [0, 10]"),
+            std::string::npos);
+  const std::string far = refusal(R"("start": {"x": 1}, "goal": {"x": 12})");
+  EXPECT_NE(far.find(": goal.x: 12 is not within"), std::string::npos) << far;
+  EXPECT_NE(far.find("2:"), std::string::npos) << far;  // the line
+  EXPECT_NE(refusal(R"("start": {"x": 1}, "goal": {"x": [12, 13.5]})").find("no value of [12, 13.5] is within"),
+            std::string::npos);
+}
+
+/// Nothing moves on a way of no length. What rests was no part of the question, so it is no part of the scene's.
+TEST(Path, AWayOfNoLengthIsFree) {
+  PathProblem problem = slot(2.25);
+  problem.goal = {};
+  problem.goal[0] = {1, 2};
+  problem.linkage.scene.bodies.push_back({"shelf", rectangle(2, 3, 4, 4), {}});
+  problem.linkage.motions.emplace_back();
+  const PathAnswer answer = find_path(problem);
+  ASSERT_EQ(answer.outcome, PathOutcome::path) << answer.reason;
+  EXPECT_EQ(answer.waypoints, (std::vector<JointValues>(2, problem.start)));
+  const Answer checked = check(path_scene(problem, answer.waypoints));
+  EXPECT_EQ(checked.outcome, Outcome::free);
+  EXPECT_EQ(checked.coverage.tested + checked.coverage.apart, 2U);
+  EXPECT_EQ(checked.coverage.ignored, 1U);
+  problem.linkage.scene.at_rest = AtRest::test;
+  EXPECT_THROW(find_path(problem), InputError);
 }
 
 }  // namespace
