@@ -33,6 +33,9 @@ JointSpace::JointSpace(const PathProblem& problem, double clearance) : problem_(
     cells_.emplace_back(*pair, clearance * pairs_.scale());
     bodies_.push_back(pair->bodies);
   }
+  const std::optional<Mechanism>& mechanism = problem.linkage.scene.mechanism;
+  for (std::size_t k = 0; k < dimension(); ++k)
+    drives_[k] = mechanism && is_joint_of(*mechanism, problem.linkage.joints[k].name);
 }
 
 OpenPairs JointSpace::all_open() const {
@@ -103,6 +106,23 @@ double JointSpace::share_of_range(const JointCell& cell, std::size_t joint) cons
   return range.hi > range.lo ? cell.half[joint] / (range.hi - range.lo) : 0;
 }
 
+std::array<double, max_joints> JointSpace::effect_on(std::uint32_t pair, const JointCell& cell,
+                                                     const OpenFeatures& features) const {
+  const PoseModel pose = pairs_.between(pairs_[pair], cell);
+  PoseModel rest = pose;
+  std::array<PoseModel, max_joints> held;
+  held.fill(pose);
+  JointCell all_held = cell;
+  for (std::size_t k = 0; k < dimension(); ++k) {
+    if (!drives_[k] || !pairs_.follows(pairs_[pair], k)) continue;
+    JointCell one_held = cell;
+    one_held.half[k] = all_held.half[k] = 0;
+    held[k] = pairs_.between(pairs_[pair], one_held);
+    rest = pairs_.between(pairs_[pair], all_held);
+  }
+  return cells_[pair].effect(pose, rest, held, features);
+}
+
 std::array<double, max_joints> JointSpace::effect(const JointCell& cell, const OpenPairs& open) const {
   std::array<double, max_joints> sum{};
   if (const MayLock lock = pairs_.may_lock(cell); lock.anywhere) {
@@ -110,8 +130,7 @@ std::array<double, max_joints> JointSpace::effect(const JointCell& cell, const O
     return sum;
   }
   for (const auto& [pair, features] : open) {
-    std::array<double, max_joints> one{};
-    cells_[pair].add_effect(pairs_.between(pairs_[pair], cell), features, one);
+    const std::array<double, max_joints> one = effect_on(pair, cell, features);
     for (std::size_t k = 0; k < dimension(); ++k) {
       if (pairs_.follows(pairs_[pair], k)) sum[k] = std::max(sum[k], one[k]);
     }

@@ -55,11 +55,14 @@ class JointSpace {
  private:
   double share_of_range(const JointCell& cell, std::size_t joint) const;
   bool is_free_between(const JointCell& segment, OpenPairs& open) const;
+  std::array<double, max_joints> effect_on(std::uint32_t pair, const JointCell& cell,
+                                           const OpenFeatures& features) const;
 
   const PathProblem& problem_;
   LinkedPairs pairs_;
   std::vector<PairCells> cells_;
   std::vector<std::array<BodyId, 2>> bodies_;
+  std::array<bool, max_joints> drives_{};  ///< loops of a mechanism
 };
 
 }  // namespace taut::internal::path

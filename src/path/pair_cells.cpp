@@ -370,8 +370,9 @@ bool PairCells::find_deep(const PoseModel& of_q, OpenFeatures& open) const {
   return false;
 }
 
-void PairCells::add_effect(const PoseModel& of_q, const OpenFeatures& open,
-                           std::array<double, max_joints>& effect) const {
+std::array<double, max_joints> PairCells::effect(const PoseModel& of_q, const PoseModel& rest,
+                                                 const std::array<PoseModel, max_joints>& held,
+                                                 const OpenFeatures& open) const {
   constexpr std::size_t most_runs = 16;
   constexpr double more_than_rounding = 0x1p-40;
   const std::size_t step = std::max<std::size_t>(1, open.runs.size() / most_runs);
@@ -380,14 +381,18 @@ void PairCells::add_effect(const PoseModel& of_q, const OpenFeatures& open,
     const Box& q = tree_q_.node(open.runs[i].second).box;
     const JointModel centre = of_q.place(q.centre);
     // To first order that may be 0 at the middle and matter nevertheless: then it is what the model leaves out.
-    const double left_out = centre.error + of_q.rotation.error * q.radius;
-    const bool rounding = left_out <= more_than_rounding * (centre.reach() + of_q.rotation.reach() * q.radius);
+    const auto left_out = [&](const PoseModel& pose) {
+      return pose.place(q.centre).error + pose.rotation.error * q.radius;
+    };
+    const double all = left_out(of_q);
+    const bool rounding = all <= more_than_rounding * (centre.reach() + of_q.rotation.reach() * q.radius);
     for (std::size_t k = 0; k < most.size(); ++k) {
       const double first = length_of(centre.rate[k]) + length_of(of_q.rotation.rate[k]) * q.radius;
-      most[k] = std::max(most[k], first + (rounding ? 0 : left_out));
+      const double more = rounding ? 0 : left_out(rest) + std::max(0.0, all - left_out(held[k]));
+      most[k] = std::max(most[k], first + more);
     }
   }
-  for (std::size_t k = 0; k < most.size(); ++k) effect[k] += most[k];
+  return most;
 }
 
 }  // namespace taut::internal::path

@@ -107,8 +107,11 @@ class PairCells {
   /// The same for a cell that stays undecided and seems to collide: tries points inside of either body, near its
   /// vertices, which show this of bodies whose outlines lie on each other.
   bool find_deep(const PoseModel& of_q, OpenFeatures& open) const;
-  /// Adds, for each joint, how far it moves what is open, in the plane.
-  void add_effect(const PoseModel& of_q, const OpenFeatures& open, std::array<double, max_joints>& effect) const;
+  /// How far each joint moves what is open, in the plane: to first order, with what the model leaves out. What loops of
+  /// a mechanism add to that counts for the joints that drive them: without these, it is `rest` that is left out, and
+  /// `held[k]` is the model if joint k keeps its value.
+  std::array<double, max_joints> effect(const PoseModel& of_q, const PoseModel& rest,
+                                        const std::array<PoseModel, max_joints>& held, const OpenFeatures& open) const;
 
  private:
   struct Seen;

@@ -332,5 +332,26 @@ TEST(DrivenLinkage, AHeldJoint) {
   EXPECT_EQ(envelope(parse_linkage(crank_problem(R"({"A":[90,90]})"))).outcome, Outcome::free);
 }
 
+/// A block slides towards a four-bar that is always in its way. Over most of the drive's range nothing is known of
+/// where the bars are, so that it does not help to divide what the block does.
+TEST(DrivenLinkage, IsDividedByTheJointThatLoopsAreUncertainOf) {
+  const PathProblem problem = parse_path_problem(R"({"format":"taut-scene/1","joints":{"s":[0,12]},"bodies":[
+    {"name":"ground","polygon":[[-9,-9],[-8,-9],[-8,-8]]},
+    {"name":"crank","polygon":[[0.064,-0.275],[2.075,2.964],[1.736,3.175],[-0.275,-0.064]],"z":[0,1]},
+    {"name":"coupler","polygon":[[1.691,2.639],[6.461,4.591],[6.309,4.961],[1.539,3.009]],"z":[1,2]},
+    {"name":"rocker","polygon":[[6.191,-0.208],[6.408,4.891],[6.009,4.908],[5.792,-0.191]],"z":[0,1]},
+    {"name":"block","polygon":[[-5,0.4],[-4,0.4],[-4,2.4],[-5,2.4]],
+     "motion":{"slide":{"direction":[1,0],"by":"s"}}}],
+   "mechanism":{"ground":"ground","joints":{
+     "A":{"revolute":["ground","crank"],"at":[0,0]},"B":{"revolute":["crank","coupler"],"at":[1.8,2.9]},
+     "C":{"revolute":["coupler","rocker"],"at":[6.2,4.7]},"D":{"revolute":["ground","rocker"],"at":[6,0]}},
+    "drive":{"D":[-1,87]}},
+   "start":{"s":0,"D":0},"goal":{"s":12}})");
+  PathOptions options;
+  options.max_cells = 1000;
+  const PathAnswer answer = find_path(problem, options);
+  EXPECT_EQ(answer.outcome, PathOutcome::none) << answer.reason;
+}
+
 }  // namespace
 }  // namespace taut::testing
