@@ -11,8 +11,12 @@ constexpr std::int64_t least_side = whole_side >> 40;
 
 }  // namespace
 
-CellTree::CellTree(const PathProblem& problem, const JointSpace& space, double tolerance)
-    : problem_(problem), space_(space), tolerance_(tolerance), dimension_(problem.linkage.joints.size()) {
+CellTree::CellTree(const PathProblem& problem, const JointSpace& space, double tolerance, const Reach* reach)
+    : problem_(problem),
+      space_(space),
+      tolerance_(tolerance),
+      reach_(reach),
+      dimension_(problem.linkage.joints.size()) {
   add_root();
 }
 
@@ -28,6 +32,10 @@ void CellTree::evaluate(CellId id) {
   TreeCell& cell = cells_[id];
   const JointCell around = box(id);
   cell.sample = around.middle;
+  if (reach_ && !reach_->may_hold(around)) {
+    cell.state = CellState::colliding;
+    return;
+  }
   if (cell.open) cell.state = space_.evaluate(around, *cell.open, &cell.sample);
   for (std::size_t k = 0; k < dimension_; ++k)
     cell.sample[k] = std::clamp(cell.sample[k], value(k, cell.lo[k]), value(k, cell.lo[k] + cell.side[k]));
@@ -36,6 +44,10 @@ void CellTree::evaluate(CellId id) {
     if (!cell.sample_free && space_.collides_deeply(around, *cell.open)) cell.state = CellState::colliding;
   }
   if (cell.state == CellState::free) cell.open.reset();
+  if (!reach_) return;
+  // Ways by samples are to stay within.
+  if (cell.state == CellState::free) cell.sample = reach_->middle_in(around);
+  cell.sample_free = cell.sample_free && reach_->may_hold({cell.sample, {}});
 }
 
 double CellTree::value(std::size_t joint, std::int64_t units) const {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "path/joint_space.hpp"
+#include "path/reach.hpp"
 
 namespace taut::internal::path {
 
@@ -63,7 +64,8 @@ struct CommonPoint {
 
 class CellTree {
  public:
-  CellTree(const PathProblem& problem, const JointSpace& space, double tolerance);
+  /// `reach`: no ways matter that lead through cells which it does not hold; they are marked as if they collided.
+  CellTree(const PathProblem& problem, const JointSpace& space, double tolerance, const Reach* reach = nullptr);
 
   const TreeCell& operator[](CellId id) const { return cells_[id]; }
   TreeCell& operator[](CellId id) { return cells_[id]; }
@@ -99,6 +101,7 @@ class CellTree {
   const PathProblem& problem_;
   const JointSpace& space_;
   double tolerance_;
+  const Reach* reach_;
   std::size_t dimension_;
   std::vector<TreeCell> cells_;
 };

@@ -24,13 +24,13 @@ JointValues difference(const JointValues& a, const JointValues& b) {
 }  // namespace
 
 PathSearch::PathSearch(const PathProblem& problem, const PathOptions& options, const JointSpace& space,
-                       const WayChecker& checker)
+                       const WayChecker& checker, const Reach* reach)
     : problem_(problem),
       options_(options),
       space_(space),
       checker_(checker),
       goal_(problem, space),
-      tree_(problem, space, options.tolerance),
+      tree_(problem, space, options.tolerance, reach),
       channel_(tree_) {}
 
 /// The start as the cell sees it, perhaps a period on.

@@ -17,8 +17,9 @@ using Chain = std::vector<CellId>;
 
 class PathSearch {
  public:
-  PathSearch(const PathProblem& problem, const PathOptions& options, const JointSpace& space,
-             const WayChecker& checker);
+  /// `reach`: `none` is about ways within it.
+  PathSearch(const PathProblem& problem, const PathOptions& options, const JointSpace& space, const WayChecker& checker,
+             const Reach* reach = nullptr);
 
   /// Throws Interrupted at a limit.
   void run(PathAnswer& answer);

@@ -4,7 +4,9 @@
 #include <cmath>
 
 #include "numeric/budget.hpp"
+#include "path/path_search.hpp"
 #include "path/portals.hpp"
+#include "path/reach.hpp"
 
 namespace taut::internal::path {
 namespace {
@@ -12,6 +14,9 @@ namespace {
 /// So many pieces of faces are enough.
 constexpr std::size_t most_pieces = 10'000;
 constexpr std::size_t most_waypoints = 100;
+/// So many lengths are tried, each with so many cells.
+constexpr int most_reaches = 12;
+constexpr std::size_t most_cells_of_reach = 20'000;
 
 JointValues between(const JointValues& a, const JointValues& b, double share) {
   JointValues c{};
@@ -25,6 +30,7 @@ class Shortening {
              CellTree& tree, PathAnswer& answer)
       : problem_(problem),
         options_(options),
+        space_(space),
         checker_(checker),
         tree_(tree),
         answer_(answer),
@@ -34,9 +40,10 @@ class Shortening {
   }
 
   void run() {
-    answer_.length->shortest_at_least = straight();
+    answer_.length->shortest_at_least = Reach(problem_, metric_, 0).straight();
     offer(answer_.waypoints);
     if (tree_[tree_.root()].state == CellState::colliding) return;  // by the rounding of cells only
+    narrow();
     Portals portals(problem_, tree_, metric_, goal_);
     while (improve(portals)) {
       checkpoint();
@@ -46,24 +53,36 @@ class Shortening {
   }
 
  private:
-  /// From the start to the nearest value that the goal could have.
-  double straight() const {
-    if (problem_.goal_outside) return 0;
-    JointValues gap{};
-    for (std::size_t k = 0; k < problem_.linkage.joints.size(); ++k) {
-      const Joint& joint = problem_.linkage.joints[k];
-      const auto& range = problem_.goal[k];
-      if (!range) continue;
-      gap[k] = INFINITY;
-      const double period = joint.hi - joint.lo;
-      for (const double shift : {0.0, period, -period}) {
-        if (shift != 0 && !problem_.periodic[k]) continue;
-        const double away =
-            std::max({(*range)[0] + shift - problem_.start[k], problem_.start[k] - (*range)[1] - shift, 0.0});
-        gap[k] = std::min(gap[k], away);
+  /// Ways that are no longer than some length lead through few combinations. If a search finds none among these, all
+  /// ways are longer; one that it finds may pass obstacles on other sides than the way that is known.
+  void narrow() {
+    PathOptions options = options_;
+    options.max_cells = std::min(options.max_cells, most_cells_of_reach);
+    const PathLength& length = *answer_.length;
+    double least_tried = length.way;
+    for (int round = 0; round < most_reaches; ++round) {
+      least_tried = std::min(least_tried, length.way);
+      if (length.way <= (1 + options_.within) * length.shortest_at_least) return;
+      const double tried = length.shortest_at_least + (least_tried - length.shortest_at_least) / 2;
+      const Reach reach(problem_, metric_, tried);
+      const PathAnswer found = searched(options, reach);
+      if (found.outcome == PathOutcome::none) {
+        answer_.length->shortest_at_least = tried;
+        continue;
       }
+      least_tried = tried;
+      if (found.outcome == PathOutcome::path) offer(found.waypoints);
     }
-    return metric_.least(ValueBox::of({}), ValueBox::of(gap));
+  }
+  PathAnswer searched(const PathOptions& options, const Reach& reach) const {
+    PathAnswer found;
+    PathSearch search(problem_, options, space_, checker_, &reach);
+    try {
+      search.run(found);
+    } catch (const Interrupted&) {
+      checkpoint();
+    }
+    return found;
   }
   /// False if there is nothing left to do.
   bool improve(Portals& portals) {
@@ -220,6 +239,7 @@ class Shortening {
 
   const PathProblem& problem_;
   const PathOptions& options_;
+  const JointSpace& space_;
   const WayChecker& checker_;
   CellTree& tree_;
   PathAnswer& answer_;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "support/made_path.hpp"
+#include "support/rng.hpp"
 #include "taut/error.hpp"
 #include "taut/path.hpp"
 
@@ -116,6 +117,53 @@ TEST(PathShortest, TheSameProblemHasTheSameLength) {
       EXPECT_LE(first.shortest_at_least, 3 + 2 * std::hypot(1, 0.5));  // no turn is needed
     }
   }
+}
+
+/// A disc, nearly, among boxes. It may turn, which does not help: the shortest way without turns is known exactly.
+PathProblem disc_among_boxes(testing::Rng& rng, bool turns) {
+  PathProblem problem;
+  problem.linkage.joints = {{"x", 0, 10}, {"y", 0, 10}};
+  Polygon disc;
+  for (int k = 0; k < 16; ++k) disc.push_back({std::cos(k * M_PI / 8) / 4, std::sin(k * M_PI / 8) / 4});
+  Body boxes{"boxes", {}, {}};
+  for (int k = 0; k < 8; ++k) {
+    const double x = rng.real(1.5, 8), y = rng.real(0, 9);
+    boxes.parts.push_back({box_of(x, y, x + rng.real(0.5, 1), y + rng.real(0.5, 3)), {}});
+  }
+  problem.linkage.scene.bodies = {{"disc", disc, {}}, boxes};
+  problem.linkage.motions = {freely(0, 1, turns ? std::optional(2) : std::nullopt), std::nullopt};
+  problem.start = {0.5, 5, 0};
+  problem.goal[0] = {9.7, 9.7};
+  problem.goal[1] = {5, 5};
+  if (turns) {
+    problem.linkage.joints.push_back({"turn", 0, 360});
+    problem.periodic[2] = true;
+  }
+  return problem;
+}
+
+TEST(PathShortest, TurnsThatDoNotHelpDoNotMatter) {
+  int decided = 0, all = 0;
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    SCOPED_TRACE(seed);
+    PathOptions options;
+    options.shortest = true;
+    testing::Rng rng(seed), same(seed);
+    const PathProblem still = disc_among_boxes(rng, false), turning = disc_among_boxes(same, true);
+    const PathAnswer known = find_path(still, options);
+    if (known.outcome != PathOutcome::path) continue;
+    options.max_cells = 100'000;
+    const PathAnswer found = find_path(turning, options);
+    ASSERT_EQ(found.outcome, PathOutcome::path) << found.reason;
+    // As a turned disc is in some places a little thinner, a way may gain that much.
+    EXPECT_LE(found.length->shortest_at_least, known.length->way);
+    EXPECT_GE(found.length->way, known.length->way * 0.995);
+    EXPECT_LE(found.length->way, known.length->way * 1.1);
+    ++all;
+    if (found.length->way <= 1.05 * found.length->shortest_at_least) ++decided;
+  }
+  EXPECT_GE(all, 3);
+  EXPECT_GE(2 * decided, all);
 }
 
 /// The shorter way leads over the ends of the joint's range.
