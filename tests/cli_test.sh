@@ -212,11 +212,13 @@ expect 0 'at 40 of 40 instants' '' follow valve.json --body plate --reach 2 --in
 expect 0 '"vertex":{"body":"cam","index":2}' '' follow valve.json --body plate --reach 2 --json
 sed 's/\[-3, 1\], \[3, 1\], \[3, 1.5\], \[-3, 1.5\]/[-3, 3], [3, 3], [3, 4], [-3, 4]/' valve.json >above.json
 expect 0 '^NOT LIFTED  plate' '' follow above.json --body plate --reach 2
+expect 0 'CONTACTS  1 stretch, ' '' follow above.json --body plate --reach 2 --contacts
 [ "$(wc -l <lift.csv)" -eq 361 ] || { echo "FAILED: the table of follow"; failures=$((failures + 1)); }
 expect 2 '' 'give a lift at which it is free at all times' follow valve.json --body plate --reach 0.1
 expect 2 '' 'instants: they are not' follow valve.json --body plate --reach 2 --instants 0
 expect 2 '' '--body: there is no body "late"' follow valve.json --body late --reach 2
-expect 2 '' '--reach' follow valve.json --body plate
+expect 2 '' '^hint: did you mean "plate". the scene has "cam", "plate"' follow valve.json --body plat --reach 2
+expect 2 '' '^hint: --reach X: the lift at which it clears' follow valve.json --body plate
 expect 0 'CONTACTS  1 stretch, changes known to 1e-06 of the time' '' follow valve.json --body plate --reach 2 --contacts --tolerance 1e-6
 expect 0 '"state":"carried","lift":.*"touching":.."vertex":{"body":"cam","index":2}' '' follow valve.json --body plate --reach 2 --contacts --json
 expect 0 ',carried,.*,0,0,cam 2 on plate 0$' '' follow valve.json --body plate --reach 2 --contacts-csv -

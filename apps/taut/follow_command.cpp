@@ -55,10 +55,11 @@ std::string stretch_text(const Scene& scene, const FollowStretch& s) {
 std::string contacts_text(const Scene& scene, const FollowOptions& options, const FollowAnswer& answer) {
   if (!options.contacts) return {};
   constexpr std::size_t most = 40;
-  std::size_t carried = 0;
-  for (const FollowStretch& s : answer.contacts) carried += s.state == FollowState::carried ? 1 : 0;
-  std::string text = fmt::format("CONTACTS  {} {}, changes known to {:.3g} of the time\n", carried,
-                                 carried == 1 ? "stretch" : "stretches", options.tolerance);
+  const auto decided = std::count_if(answer.contacts.begin(), answer.contacts.end(), [](const FollowStretch& s) {
+    return s.state == FollowState::carried || s.state == FollowState::low;
+  });
+  std::string text = fmt::format("CONTACTS  {} {}, changes known to {:.3g} of the time\n", decided,
+                                 decided == 1 ? "stretch" : "stretches", options.tolerance);
   for (std::size_t k = 0; k < std::min(most, answer.contacts.size()); ++k)
     text += stretch_text(scene, answer.contacts[k]);
   if (answer.contacts.size() > most)

@@ -17,7 +17,13 @@ struct Piece {
   FollowState state;
   LiftRange lift;
   std::vector<LiftPair> pairs = {};  ///< in order
+  bool hopeless = false;             ///< of `open`: shorter windows would not be decided either
 };
+
+constexpr const char* no_precision = "320 bits do not distinguish the lifts of contacts there";
+constexpr const char* hardly_longer =
+    "what touches there is not decided for hardly longer than the tolerance: a smaller one may decide it, a larger one "
+    "takes it for a change";
 
 class SequenceSearch {
  public:
@@ -40,9 +46,11 @@ class SequenceSearch {
       if (known < instance_.end()) append({FollowState::open, {known, instance_.end()}, {0, question_.reach}, {}});
     }
     name_short_changes();
-    const bool any_open = std::any_of(stretches_.begin(), stretches_.end(),
-                                      [](const FollowStretch& s) { return s.state == FollowState::open; });
-    if (any_open) reason = stopped.empty() ? "320 bits do not distinguish the lifts of contacts there" : stopped;
+    const auto first = std::find_if(stretches_.begin(), stretches_.end(),
+                                    [](const FollowStretch& s) { return s.state == FollowState::open; });
+    const auto number = static_cast<std::size_t>(first - stretches_.begin());
+    if (first != stretches_.end())
+      reason = !stopped.empty() ? stopped : hopeless_[number] ? no_precision : hardly_longer;
     return std::move(stretches_);
   }
 
@@ -116,8 +124,9 @@ class SequenceSearch {
     const double middle = time.lo + (time.hi - time.lo) / 2;
     if (verdict.state != FollowState::open) return add({time, verdict.state, verdict.lift, std::move(verdict.pairs)});
     const bool divisible = time.lo < middle && middle < time.hi && depth < 64;
-    if (!divisible || verdict.hopeless || time.hi - time.lo <= question_.shortest / 4)
-      return add({time, FollowState::open, verdict.lift, std::move(verdict.pairs)});
+    const bool hopeless = !divisible || verdict.hopeless;
+    if (hopeless || time.hi - time.lo <= question_.shortest / 4)
+      return add({time, FollowState::open, verdict.lift, std::move(verdict.pairs), hopeless});
     search({time.lo, middle}, verdict.pairs, depth + 1);
     search({middle, time.hi}, verdict.pairs, depth + 1);
   }
@@ -128,6 +137,7 @@ class SequenceSearch {
         (piece.state == FollowState::open || pieces_.back().pairs == piece.pairs)) {
       Piece& last = pieces_.back();
       last.time.hi = piece.time.hi;
+      last.hopeless = last.hopeless || piece.hopeless;
       last.lift = {std::min(last.lift.lo, piece.lift.lo), std::max(last.lift.hi, piece.lift.hi)};
       last.pairs.insert(last.pairs.end(), piece.pairs.begin(), piece.pairs.end());
       std::sort(last.pairs.begin(), last.pairs.end());
@@ -147,7 +157,7 @@ class SequenceSearch {
         stretch.once = change.once;
         stretch.jumps = change.jumps;
       }
-      append(std::move(stretch));
+      append(std::move(stretch), piece.hopeless);
     }
     pieces_.clear();
   }
@@ -166,14 +176,15 @@ class SequenceSearch {
   }
 
   /// After a joint, what is known may be the same as before. Contacts that differ there change at that instant.
-  void append(FollowStretch&& stretch) {
-    if (stretches_.empty()) return stretches_.push_back(std::move(stretch));
+  void append(FollowStretch&& stretch, bool hopeless = false) {
+    if (stretches_.empty()) return add_stretch(std::move(stretch), hopeless);
     FollowStretch& last = stretches_.back();
     const bool both_open = last.state == FollowState::open && stretch.state == FollowState::open;
     if (both_open || (last.state == stretch.state && last.contacts == stretch.contacts)) {
       last.time.hi = stretch.time.hi;
       last.lift = {std::min(last.lift[0], stretch.lift[0]), std::max(last.lift[1], stretch.lift[1])};
       last.once = last.jumps = false;
+      hopeless_.back() = hopeless_.back() || hopeless;
       for (const FollowContact& contact : stretch.contacts) add_contact(last, contact);
       return;
     }
@@ -182,9 +193,13 @@ class SequenceSearch {
       change.lift = {std::min(last.lift[0], stretch.lift[0]), std::max(last.lift[1], stretch.lift[1])};
       for (const FollowContact& contact : last.contacts) add_contact(change, contact);
       for (const FollowContact& contact : stretch.contacts) add_contact(change, contact);
-      stretches_.push_back(std::move(change));
+      add_stretch(std::move(change), false);
     }
+    add_stretch(std::move(stretch), hopeless);
+  }
+  void add_stretch(FollowStretch&& stretch, bool hopeless) {
     stretches_.push_back(std::move(stretch));
+    hopeless_.push_back(hopeless);
   }
   static void add_contact(FollowStretch& stretch, const FollowContact& contact) {
     std::vector<FollowContact>& all = stretch.contacts;
@@ -205,6 +220,7 @@ class SequenceSearch {
   std::optional<LiftContest> contest_;
   std::vector<Piece> pieces_;
   std::vector<FollowStretch> stretches_;
+  std::vector<bool> hopeless_;  ///< of each of these: shorter windows would not decide all of it either
 };
 
 }  // namespace

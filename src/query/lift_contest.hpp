@@ -29,7 +29,7 @@ class LiftContest {
   LiftContest(const std::vector<LiftCouple>& couples, const Point& u, double reach, Touch touch);
 
   /// The couples' segments have changed.
-  void begin() { identities_.forget(); }
+  void begin() { identities_.begin(); }
   /// Does an edge of the follower, or of the couple's other body, never face the other one? Sides along the direction
   /// do not: bodies slide along these.
   bool never_faces(std::uint32_t couple, bool of_follower, std::uint32_t edge) const;

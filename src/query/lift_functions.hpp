@@ -119,7 +119,7 @@ class LiftIdentities {
   LiftIdentities(const std::vector<LiftCouple>& couples, const Point& u) : couples_(couples), u_(u) {}
 
   /// Other segments are in use.
-  void forget() { level_.clear(); }
+  void begin();
   /// Are the two vertices always at the same place across the direction?
   bool level(const VertexCouple& vertices);
   /// The sign of w of that neighbour of a vertex, less that of the vertex, if that is constant.
@@ -141,11 +141,16 @@ class LiftIdentities {
   Place place(const LiftCouple& couple, bool of_follower, std::uint32_t vertex) const;
   Quotient lift(const LiftPair& pair) const;
   static bool vanishes(const MotionSegment& segment, const Linear& c);
+  static bool keeps_orientation(const MotionSegment& segment);
+  bool keeps_orientation(const LiftCouple& couple) const {
+    return keeps_orientation_[static_cast<std::size_t>(&couple - couples_.data())];
+  }
   bool same_line(const LiftPair& a, const LiftPair& b) const;
 
   const std::vector<LiftCouple>& couples_;
   Point u_;
   std::map<VertexCouple, bool> level_;
+  std::vector<bool> keeps_orientation_;  ///< of each couple
 };
 
 }  // namespace taut::internal

@@ -1,5 +1,6 @@
 // What holds of lifts at all times: exactly, by the coefficients of the frame's functions.
 #include <algorithm>
+#include <cmath>
 
 #include "motion/frame_model.hpp"
 #include "motion/pieces.hpp"
@@ -36,8 +37,13 @@ Dyadic way_coefficient(const MotionSegment& segment, bool of_x, std::size_t k) {
   return exact(of_x ? segment.q.x : segment.q.y) - exact(of_x ? segment.p.x : segment.p.y);
 }
 
-/// Do the bodies keep their orientation towards each other: are c and s 1 and 0?
-bool keeps_orientation(const MotionSegment& segment) { return segment.translation || segment.aligned; }
+/// May c be 1, and s be 0, in the middle of the segment?
+bool may_be_aligned(const MotionSegment& segment) {
+  const double middle = segment.start + (segment.end - segment.start) / 2;
+  const auto& functions = frame(segment, Ball<double>::exact(middle)).for_pp;
+  const auto holds = [](const Ball<double>& b, double value) { return std::fabs(b.mid - value) <= b.rad; };
+  return holds(functions[3].v, 1) && holds(functions[4].v, 0);
+}
 
 bool same_offsets(const MotionSegment& a, const MotionSegment& b) {
   for (const bool of_p : {false, true}) {
@@ -51,6 +57,21 @@ bool same_offsets(const MotionSegment& a, const MotionSegment& b) {
 }
 
 }  // namespace
+
+/// Do the bodies keep their orientation towards each other: are c and s 1 and 0? So slides carry the links of
+/// mechanisms.
+bool LiftIdentities::keeps_orientation(const MotionSegment& segment) {
+  if (segment.translation || segment.aligned) return true;
+  if (segment.bridge || !may_be_aligned(segment)) return false;
+  const Dyadic one(1, 0), none;
+  return vanishes(segment, {-one, none, none, one, none}) && vanishes(segment, {none, none, none, none, one});
+}
+
+void LiftIdentities::begin() {
+  level_.clear();
+  keeps_orientation_.clear();
+  for (const LiftCouple& couple : couples_) keeps_orientation_.push_back(keeps_orientation(*couple.segment));
+}
 
 bool LiftIdentities::vanishes(const MotionSegment& segment, const Linear& c) {
   if (segment.bridge) return false;
@@ -72,7 +93,7 @@ auto LiftIdentities::place(const LiftCouple& couple, bool of_follower, std::uint
   const Dyadic ux = Dyadic::exact(u_.x), uy = Dyadic::exact(u_.y), none;
   const Dyadic across = ux * y - uy * x, along = ux * x + uy * y;
   if (of_follower) return {{across, none, none, none, none}, {along, none, none, none, none}};
-  if (keeps_orientation(*couple.segment)) return {{across, -uy, ux, none, none}, {along, ux, uy, none, none}};
+  if (keeps_orientation(couple)) return {{across, -uy, ux, none, none}, {along, ux, uy, none, none}};
   return {{none, -uy, ux, across, along}, {none, ux, uy, along, -across}};
 }
 
@@ -133,17 +154,17 @@ bool LiftIdentities::same(const LiftPair& a, const LiftPair& b) const {
     return false;
   if (a.of_follower == b.of_follower && same_line(a, b)) return true;
   const bool fixed_edges = !a.of_follower && !b.of_follower;
-  if (!fixed_edges && !keeps_orientation(*first.segment)) return false;
+  if (!fixed_edges && !keeps_orientation(first)) return false;
   const Quotient x = lift(a), y = lift(b);
   if (!is_constant(x.denominator) || !is_constant(y.denominator)) return false;
   return vanishes(*first.segment, scaled_by(x.numerator, y.denominator[0]) - scaled_by(y.numerator, x.denominator[0]));
 }
 
 bool LiftIdentities::zero(const LiftPair& a) const {
-  const MotionSegment& segment = *couples_[a.couple].segment;
-  if (a.of_follower && !keeps_orientation(segment)) return false;
+  const LiftCouple& couple = couples_[a.couple];
+  if (a.of_follower && !keeps_orientation(couple)) return false;
   const Quotient x = lift(a);
-  return is_constant(x.denominator) && vanishes(segment, x.numerator);
+  return is_constant(x.denominator) && vanishes(*couple.segment, x.numerator);
 }
 
 }  // namespace taut::internal
