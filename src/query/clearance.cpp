@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <set>
 
@@ -50,6 +51,7 @@ class ClearanceSearch {
       return std::move(answer_);
     }
     search_all();
+    resolve_all();
     answer_.coverage = instance_.coverage(instance_.scene_pairs(searched_));
     if (answer_.nearest) {
       answer_.outcome = answer_.nearest->hi > 0 ? Outcome::free : Outcome::contact;
@@ -121,28 +123,66 @@ class ClearanceSearch {
     return pairs;
   }
 
+  /// A pair whose distances have been searched, but perhaps not resolved to the tolerance.
+  struct SearchedPair {
+    BoxedPair boxed;
+    std::unique_ptr<PairInstance> search;
+    spacetime::Nearest nearest;
+    bool is_nearest;  ///< of all pairs before it
+  };
+
   void search(const BoxedPair& pair) {
-    const PairInstance search(instance_, pair.a, pair.b, Offset::outward);
+    SearchedPair searched{pair, std::make_unique<PairInstance>(instance_, pair.a, pair.b, Offset::outward), {}, false};
+    const PairInstance& search = *searched.search;
     NearestPoints found;
     found.pair = instance_.scene_pair(pair.a, pair.b);
-    if (!touching(search, found)) {
-      if (!is_listed(pair) && !(best_ > 0)) return;
-      spacetime::Nearest nearest;
-      nearest.distance = is_listed(pair) ? INFINITY : best_;
-      const double before = nearest.distance;
-      const double end = std::min(instance_.end(), search.segments().repeats_from());
-      spacetime::find_nearest(search.geometry, search.trees(), search.segments(), end, tolerance_, nearest);
-      const std::string why = spacetime::resolve_nearest(search.geometry, search.trees(), search.segments(),
-                                                         {instance_.start(), end}, tolerance_, nearest);
-      certain_ = std::min(certain_, nearest.unresolved);
-      if (!why.empty()) why_ = why;
-      if (!is_listed(pair) && !(nearest.distance < before)) return;
-      describe(search, nearest, found);
+    if (touching(search, found)) return take(pair, found);
+    if (!is_listed(pair) && !(best_ > 0)) return;
+    spacetime::Nearest& nearest = searched.nearest;
+    const double before = is_listed(pair) ? INFINITY : best_;
+    nearest.distance = before;
+    const double end = std::min(instance_.end(), search.segments().repeats_from());
+    spacetime::find_nearest(search.geometry, search.trees(), search.segments(), end, tolerance_, nearest);
+    searched.is_nearest = nearest.distance < before;
+    if (is_listed(pair) || !(nearest.unresolved < tolerance_.least(nearest.distance))) return resolve(searched);
+    // What doubles do not resolve is expensive, and another pair may be nearer.
+    best_ = std::min(best_, nearest.distance);
+    unresolved_.push_back(std::move(searched));
+  }
+
+  void resolve_all() {
+    for (SearchedPair& searched : unresolved_) {
+      if (!(best_ > 0)) break;
+      if (best_ < searched.nearest.distance) {
+        searched.nearest.distance = best_;
+        searched.is_nearest = false;
+      }
+      resolve(searched);
     }
+    unresolved_.clear();
+  }
+
+  void resolve(SearchedPair& searched) {
+    const PairInstance& search = *searched.search;
+    spacetime::Nearest& nearest = searched.nearest;
+    const double before = nearest.distance;
+    const double end = std::min(instance_.end(), search.segments().repeats_from());
+    const std::string why = spacetime::resolve_nearest(search.geometry, search.trees(), search.segments(),
+                                                       {instance_.start(), end}, tolerance_, nearest);
+    certain_ = std::min(certain_, nearest.unresolved);
+    if (!why.empty()) why_ = why;
+    if (!is_listed(searched.boxed) && !searched.is_nearest && !(nearest.distance < before)) return;
+    NearestPoints found;
+    found.pair = instance_.scene_pair(searched.boxed.a, searched.boxed.b);
+    describe(search, nearest, found);
+    take(searched.boxed, found);
+  }
+
+  void take(const BoxedPair& pair, const NearestPoints& found) {
     if (is_listed(pair) && found.lo <= options_.within) answer_.pairs.push_back(found);
     if (answer_.nearest && !is_nearer(found, *answer_.nearest)) return;
     answer_.nearest = found;
-    best_ = std::ldexp(found.hi, instance_.exponent());
+    best_ = std::min(best_, std::ldexp(found.hi, instance_.exponent()));
   }
 
   /// Of two pairs that touch, the one that does so first.
@@ -184,7 +224,8 @@ class ClearanceSearch {
   CoarseBoxes boxes_;
   std::set<std::pair<int, int>> searched_;
   spacetime::ClearanceTolerance tolerance_;
-  double best_;                ///< internal units
+  double best_;  ///< internal units
+  std::vector<SearchedPair> unresolved_;
   double listed_within_ = -1;  ///< internal units; of no pair by default
   double certain_ = INFINITY;  ///< a lower bound of the distance of all pairs that are not known to the requested
                                ///< accuracy
