@@ -190,10 +190,32 @@ void PathSearch::set_tight(const Chain& chain, PathAnswer& answer) const {
   }
 }
 
-bool PathSearch::may_lock(const Chain& chain) const {
-  return std::any_of(chain.begin(), chain.end(), [&](CellId id) {
-    return tree_[id].state == CellState::undecided && space_.pairs().may_lock(tree_.box(id)).anywhere;
-  });
+bool PathSearch::may_lock(CellId id) const {
+  return tree_[id].state == CellState::undecided && space_.pairs().may_lock(tree_.box(id)).anywhere;
+}
+
+/// Is there a chain from the start to a cell in which the mechanism may lock? Beyond it, the mechanism may be in
+/// another pose than the one that cells are about.
+bool PathSearch::reaches_lock() const {
+  const std::vector<DrivenLoops>& loops = space_.linkage().loops;
+  if (std::none_of(loops.begin(), loops.end(), [](const DrivenLoops& l) { return l.region != nullptr; })) return false;
+  std::vector<char> reached(tree_.size());
+  std::vector<CellId> todo;
+  for (CellId id = 0; id < tree_.size(); ++id) {
+    reached[id] = tree_[id].is_leaf() && tree_[id].state != CellState::colliding && start_in(tree_.box(id));
+    if (reached[id]) todo.push_back(id);
+  }
+  while (!todo.empty()) {
+    const CellId id = todo.back();
+    todo.pop_back();
+    if (may_lock(id)) return true;
+    for (const CellId next : tree_[id].neighbours) {
+      if (reached[next]) continue;
+      reached[next] = 1;
+      todo.push_back(next);
+    }
+  }
+  return false;
 }
 
 void PathSearch::run(PathAnswer& answer) {
@@ -210,14 +232,19 @@ void PathSearch::run(PathAnswer& answer) {
     if (tree_.size() >= options_.max_cells) throw Interrupted{"limit of cells reached"};
     const std::optional<Chain> chain = channel_.find();
     if (!chain) {
-      answer.outcome = PathOutcome::none;
+      answer.outcome = reaches_lock() ? PathOutcome::undecided : PathOutcome::none;
+      if (answer.outcome == PathOutcome::undecided)
+        answer.reason =
+            "no chain of cells leads to the goal, but one to cells in which the mechanism may lock, or go on in "
+            "another way";
       return;
     }
     if (try_chain(*chain, answer)) return;
     if (divide_some_of(*chain)) continue;
     answer.outcome = PathOutcome::undecided;
     answer.reason = "there are cells as small as the tolerance that would connect the start and the goal";
-    if (may_lock(*chain)) answer.reason += "; in some of them, the mechanism may lock, or does not get there";
+    if (std::any_of(chain->begin(), chain->end(), [&](CellId id) { return may_lock(id); }))
+      answer.reason += "; in some of them, the mechanism may lock, or does not get there";
     set_tight(*chain, answer);
     return;
   }
@@ -232,7 +259,7 @@ std::vector<EnvelopeCell> PathSearch::cells() const {
     done.state = cell.state;
     if (cell.open && !cell.open->empty()) done.pair = space_.of_scene()[cell.open->front().first];
     const JointCell box = tree_.box(id);
-    done.may_lock = cell.state == CellState::undecided && space_.pairs().may_lock(box).anywhere;
+    done.may_lock = may_lock(id);
     for (std::size_t k = 0; k < space_.dimension(); ++k) {
       const Joint& joint = problem_.linkage.joints[k];
       done.lo[k] = std::max(joint.lo, box.middle[k] - box.half[k]);

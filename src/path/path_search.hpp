@@ -33,7 +33,8 @@ class PathSearch {
   bool can_be_divided(CellId id) const;
   Chain doubtful_in(const Chain& chain);
   bool divide_some_of(const Chain& chain);
-  bool may_lock(const Chain& chain) const;
+  bool may_lock(CellId id) const;
+  bool reaches_lock() const;
   void set_tight(const Chain& chain, PathAnswer& answer) const;
   std::optional<JointValues> start_in(const JointCell& box) const;
   bool passes(CellId from, CellId to, const JointValues& a, const JointValues& b, bool exactly);

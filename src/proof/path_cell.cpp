@@ -97,6 +97,13 @@ CellFunction CellValues::value(int joint, double times, double plus) const {
   return f;
 }
 
+bool CellValues::may_lock(const PathProblem& problem) const {
+  const std::vector<DrivenLoops>& all = problem.linkage.loops;
+  return std::any_of(all.begin(), all.end(), [&](const DrivenLoops& loops) {
+    return loops.region && loops.region->share_of(middle_, half_) != LoopRegion::Share::all;
+  });
+}
+
 /// Of a link that several joints move; not known where the mechanism may lock.
 CellFunction CellValues::value_in_region(const LinkMotion& link) const {
   const auto over = link.region->value(static_cast<std::size_t>(link.follows.joint), middle_, half_);

@@ -57,6 +57,8 @@ class CellValues {
   double half(std::size_t joint) const { return half_[joint]; }
   double lo(std::size_t joint) const { return lo_[joint]; }
   double hi(std::size_t joint) const { return hi_[joint]; }
+  /// Is a mechanism not shown to move all over the cell as it continues the drawn pose?
+  bool may_lock(const PathProblem& problem) const;
   /// Of a body in the frame of its parent.
   CellPose pose(const JointMotion& motion) const;
 

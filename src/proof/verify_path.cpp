@@ -30,6 +30,8 @@ class Partition {
     std::deque<std::uint32_t> todo;
     const auto visit = [&](std::uint32_t leaf) {
       if (reached[leaf]) return;
+      if (CellValues(problem_, nodes_[leaf].cell).may_lock(problem_))
+        throw ProofError("a cell is reached in which the mechanism may lock, or go on in another way");
       reached[leaf] = 1;
       todo.push_back(leaf);
     };

@@ -92,24 +92,29 @@ class DrivenLinkage {
     const Scene drawn = assembled(held_scene());
     const AssembledMechanism& mechanism = *drawn.assembly;
     const DrivesOfJoints drives(mechanism.functions->equations());
+    // By the drives that move something together. What no drive moves rests, whatever the first one does.
     std::map<std::set<std::size_t>, Moved> moved;
+    std::vector<std::set<std::size_t>> of_link;
+    for (std::size_t k = 0; k < mechanism.tree.links.size(); ++k) {
+      of_link.push_back(drives.of(k));
+      if (of_link.back().empty()) of_link.back() = {0};
+      moved.try_emplace(of_link.back());
+    }
+    for (auto& [together, loops] : moved) {
+      loops = moved_by(together, drawn);
+      linkage_.loops.push_back(
+          {static_cast<int>(driven_[*together.begin()]), loops.region ? nullptr : loops.scene.assembly, loops.region});
+    }
     for (std::size_t k = 0; k < mechanism.tree.links.size(); ++k) {
       const auto body = static_cast<std::size_t>(mechanism.tree.links[k].body);
-      std::set<std::size_t> together = drives.of(k);
-      // What no drive moves rests, whatever the first one does.
-      if (together.empty()) together = {0};
-      const auto [known, is_new] = moved.try_emplace(together);
-      if (is_new) known->second = moved_by(together, drawn);
-      const Body& link = known->second.scene.bodies[body];
+      const Moved& loops = moved.at(of_link[k]);
+      const Body& link = loops.scene.bodies[body];
       const MotionPiece& piece = link.motion.pieces.front();
       linkage_.scene.bodies[body].relative_to = link.relative_to;
       linkage_.motions[body] =
-          JointMotion{LinkMotion{std::get<JointFollower>(piece.rotation), piece.pivot, known->second.region},
-                      static_cast<int>(driven_[*together.begin()])};
+          JointMotion{LinkMotion{std::get<JointFollower>(piece.rotation), piece.pivot, loops.region},
+                      static_cast<int>(driven_[*of_link[k].begin()])};
     }
-    for (auto& [together, loops] : moved)
-      linkage_.loops.push_back(
-          {static_cast<int>(driven_[*together.begin()]), loops.region ? nullptr : loops.scene.assembly, loops.region});
     return std::move(linkage_);
   }
 
