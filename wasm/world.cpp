@@ -8,7 +8,7 @@
 #include "draw/world_shapes.hpp"
 #include "io/json_writer.hpp"
 #include "numeric/budget.hpp"
-#include "query/curved_questions.hpp"
+#include "query/bracket.hpp"
 #include "taut/io.hpp"
 #include "taut/pose.hpp"
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "numeric/budget.hpp"
-#include "path/convex_overlap.hpp"
+#include "path/convex_pieces.hpp"
 
 namespace taut::internal::path {
 namespace {

@@ -1,5 +1,5 @@
 // The question: is there any way?
-#include "path/find_path.hpp"
+#include "path/path_search.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "numeric/budget.hpp"
-#include "path/path_search.hpp"
 #include "path/shortest.hpp"
 #include "path/translations.hpp"
 #include "scene/untested.hpp"

@@ -2,12 +2,15 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <map>
 #include <utility>
 #include <vector>
 
+#include "path/cell_tree.hpp"
 #include "path/channel.hpp"
 #include "path/goal.hpp"
+#include "path/translations.hpp"
 #include "path/way.hpp"
 
 namespace taut::internal::path {
@@ -50,5 +53,18 @@ class PathSearch {
   std::array<CellId, 2> failed_{no_cell, no_cell};    ///< cells of the last chain between which no segment passes
   std::map<std::pair<CellId, CellId>, bool> passed_;  ///< between the samples of cells
 };
+
+// find_path(), for those who want to know which cells showed that there is no way.
+
+/// Who wants to know why there is no way.
+struct OnNone {
+  /// Of translations: the barrier that keeps the start from the goal. If that is refused, cells are tried.
+  OnBarrier barrier;
+  /// The cells that show it.
+  std::function<void(const JointSpace& space, CellTree& tree)> cells;
+};
+
+/// With `on_none`, a problem is undecided that has no way for reasons that neither a barrier nor cells give.
+PathAnswer find_path(const PathProblem& problem, const PathOptions& options, const OnNone& on_none);
 
 }  // namespace taut::internal::path

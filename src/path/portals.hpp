@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "path/goal.hpp"
-#include "path/joint_metric.hpp"
+#include "path/way.hpp"
 
 namespace taut::internal::path {
 

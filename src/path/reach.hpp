@@ -1,7 +1,7 @@
 // Through which combinations of joint values could a way of some length lead?
 #pragma once
 
-#include "path/joint_metric.hpp"
+#include "path/way.hpp"
 
 namespace taut::internal::path {
 

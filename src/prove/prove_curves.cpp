@@ -8,7 +8,7 @@
 #include "numeric/errors.hpp"
 #include "proof/curved_scene.hpp"
 #include "proof/format.hpp"
-#include "query/curved_questions.hpp"
+#include "query/bracket.hpp"
 #include "scene/ring_set.hpp"
 #include "solver/run.hpp"
 #include "taut/proof.hpp"

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "numeric/budget.hpp"
-#include "path/find_path.hpp"
 #include "path/goal.hpp"
+#include "path/path_search.hpp"
 #include "path/slides.hpp"
 #include "proof/barrier.hpp"
 #include "proof/format.hpp"

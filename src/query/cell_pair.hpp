@@ -1,11 +1,15 @@
 // Two bodies over a cell of joint values: apart, overlapping, or undecided.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <optional>
+#include <unordered_set>
 #include <vector>
 
 #include "joints/pose_model.hpp"
 #include "solver/pair_solver.hpp"
+#include "taut/geometry.hpp"
 
 namespace taut::internal {
 
@@ -57,6 +61,27 @@ class CellPair {
   spacetime::TreePair trees_;
   std::vector<std::uint32_t> outlines_[2];  ///< a vertex of each outline, of P and of Q
   std::vector<Vector> probes_[2];           ///< points that may be inside the other body, of P and of Q
+};
+
+// Cells near a polygon at rest.
+
+/// Collects cells, each once. A cell is a square of side 1 here: coordinates are in cells.
+class CellRaster {
+ public:
+  /// Rings of one body, placed; `margin` > 0. Adds every cell that is at most `margin` away from the body, and none
+  /// that is more than margin + slack away. The slack covers the rounding of coordinates of that magnitude. Throws
+  /// InputError where there are too many.
+  void add(const std::vector<std::vector<Polygon>>& parts, double margin, double slack);
+
+  /// By rows, then columns.
+  std::vector<std::array<int, 2>> sorted() const;
+
+ private:
+  void add_edge(const Point& a, const Point& b, double margin);
+  void add_inside(const std::vector<Polygon>& rings);
+  void mark(int i, int j);
+
+  std::unordered_set<std::uint64_t> marked_;
 };
 
 }  // namespace taut::internal

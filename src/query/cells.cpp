@@ -7,7 +7,7 @@
 
 #include "motion/pose.hpp"
 #include "numeric/budget.hpp"
-#include "query/cell_raster.hpp"
+#include "query/cell_pair.hpp"
 #include "scene/instance.hpp"
 #include "scene/ring_set.hpp"
 #include "scene/validate_scene.hpp"

@@ -1,5 +1,5 @@
 #include "taut/check.hpp"
-#include "query/curved_questions.hpp"
+#include "query/bracket.hpp"
 #include "scene/fitted_scene.hpp"
 #include "scene/mechanism_lock.hpp"
 #include "scene/validate_scene.hpp"

@@ -9,7 +9,7 @@
 #include "certificate/feature_map.hpp"
 #include "numeric/budget.hpp"
 #include "numeric/errors.hpp"
-#include "query/curved_questions.hpp"
+#include "query/bracket.hpp"
 #include "query/nearest_points.hpp"
 #include "scene/mechanism_lock.hpp"
 #include "scene/meeting_boxes.hpp"

@@ -5,7 +5,6 @@
 #include <cstdio>
 
 #include "query/bracket.hpp"
-#include "query/curved_questions.hpp"
 #include "scene/fitted_scene.hpp"
 #include "scene/instance.hpp"
 #include "solver/earliest.hpp"

@@ -6,7 +6,6 @@
 #include "motion/pose.hpp"
 #include "numeric/budget.hpp"
 #include "query/bracket.hpp"
-#include "query/curved_questions.hpp"
 #include "query/margins.hpp"
 #include "query/nearest_points.hpp"
 #include "scene/instance.hpp"

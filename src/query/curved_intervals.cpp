@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "query/bracket.hpp"
-#include "query/curved_questions.hpp"
 
 namespace taut::internal {
 namespace {

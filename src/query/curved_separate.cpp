@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "query/bracket.hpp"
-#include "query/curved_questions.hpp"
 #include "query/separate_straight.hpp"
 
 namespace taut::internal {

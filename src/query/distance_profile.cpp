@@ -7,7 +7,7 @@
 
 #include "numeric/budget.hpp"
 #include "numeric/errors.hpp"
-#include "query/curved_questions.hpp"
+#include "query/bracket.hpp"
 #include "query/nearest_points.hpp"
 #include "scene/untested.hpp"
 #include "scene/validate_scene.hpp"

@@ -8,7 +8,7 @@
 
 #include "numeric/budget.hpp"
 #include "numeric/errors.hpp"
-#include "query/curved_questions.hpp"
+#include "query/bracket.hpp"
 #include "scene/mechanism_lock.hpp"
 #include "scene/meeting_boxes.hpp"
 #include "scene/untested.hpp"

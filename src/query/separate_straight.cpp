@@ -9,7 +9,7 @@
 
 #include "numeric/budget.hpp"
 #include "numeric/errors.hpp"
-#include "query/curved_questions.hpp"
+#include "query/bracket.hpp"
 #include "scene/untested.hpp"
 #include "scene/validate_scene.hpp"
 #include "solver/free_directions.hpp"
