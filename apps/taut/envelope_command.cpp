@@ -15,6 +15,7 @@
 #include "taut/envelope.hpp"
 #include "taut/io.hpp"
 #include "terminal.hpp"
+#include "viewer_page.hpp"
 #include "watched_run.hpp"
 
 namespace taut::cli {
@@ -71,6 +72,8 @@ std::string title_of(const EnvelopeArguments& arguments) {
 int run_envelope(const EnvelopeArguments& arguments) {
   const Linkage linkage = load_linkage(arguments.scene.source);
   require_drawable("--svg", arguments.svg, linkage.joints);
+  // Found before anything is computed, or it would be lost.
+  if (!arguments.html.empty()) load_page_template("envelope.html", arguments.template_path);
   EnvelopeOptions options = arguments.options;
   options.limits.stop = stop_on_signals();
   std::optional<Progress> progress(std::in_place);

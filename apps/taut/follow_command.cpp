@@ -78,7 +78,8 @@ std::string in_words(const Scene& scene, BodyId body, const FollowOptions& optio
   if (!answer.undecided.empty()) {
     const std::size_t more = answer.undecided.size() - 1;
     open = fmt::format("  undecided on [{}, {}]{}: {}\n", answer.undecided[0].lo, answer.undecided[0].hi,
-                       more > 0 ? fmt::format(" and {} other stretches of time", more) : "", answer.reason);
+                       more > 0 ? fmt::format(" and {} other stretch{} of time", more, more > 1 ? "es" : "") : "",
+                       answer.reason);
     if (lifts.empty()) return fmt::format("UNDECIDED  {}   on [{}, {}]\n", name, scene.start, scene.end) + open;
   }
   if (lifts.empty())

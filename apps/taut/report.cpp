@@ -14,10 +14,36 @@ namespace taut::cli {
 
 namespace {
 
-/// Of a sweep.
+/// The value of a driven joint, as far as doubles show it.
+double value_at(const Drive& drive, double t) {
+  const auto holds = [t](const Drive::Piece& piece) { return t < piece.until; };
+  const auto found = std::find_if(drive.pieces.begin(), drive.pieces.end(), holds);
+  const Drive::Piece& piece = found == drive.pieces.end() ? drive.pieces.back() : *found;
+  if (piece.line) {
+    const auto& [t0, v0, t1, v1] = *piece.line;
+    return v0 + (v1 - v0) * ((t - t0) / (t1 - t0));
+  }
+  double value = 0;
+  for (std::size_t k = piece.polynomial.size(); k-- > 0;) value = value * t + piece.polynomial[k];
+  return value;
+}
+
+/// The values of the mechanism's driven joints at a time.
+std::string drives_text(const Scene& scene, const TimeInterval& time) {
+  if (!scene.mechanism) return "";
+  std::string text;
+  for (const Drive& drive : scene.mechanism->drives) {
+    const double value = value_at(drive, time.lo + (time.hi - time.lo) / 2);
+    text += fmt::format("{}{} = {:.9g}", text.empty() ? "   (" : ", ", drive.joint, value);
+  }
+  return text.empty() ? "" : text + ")";
+}
+
+/// The angle of a sweep, or the values of the driven joints.
 std::string angle_text(const Scene& scene, const Contact& contact) {
   const auto angle = contact_angle(scene, contact);
-  return angle ? fmt::format("   (angle {:.9g} deg)", angle->lo + (angle->hi - angle->lo) / 2) : "";
+  return angle ? fmt::format("   (angle {:.9g} deg)", angle->lo + (angle->hi - angle->lo) / 2)
+               : drives_text(scene, contact.time);
 }
 
 std::string first_line(const Scene& scene, const Answer& answer) {
@@ -32,13 +58,27 @@ std::string first_line(const Scene& scene, const Answer& answer) {
     case Outcome::undecided:
       return "UNDECIDED  " + pair;
     case Outcome::locked:
-      return fmt::format("LOCKED  {}   t = {}", pair, time_text({scene.lock->time[0], scene.lock->time[1]}));
+      return fmt::format("LOCKED  {}   t = {}{}", pair, time_text({scene.lock->time[0], scene.lock->time[1]}),
+                         drives_text(scene, {scene.lock->time[0], scene.lock->time[1]}));
     case Outcome::untested:
       return "UNTESTED  " + pair;
     case Outcome::closer_at_start:  // is no answer of check()
       break;
   }
   return pair;
+}
+
+/// What to do where links that share a joint overlap as they are drawn.
+std::string pin_text(const Scene& scene, const Answer& answer) {
+  if (!scene.mechanism || !answer.pair) return "";
+  const std::string& a = scene.bodies[static_cast<std::size_t>((*answer.pair)[0])].name;
+  const std::string& b = scene.bodies[static_cast<std::size_t>((*answer.pair)[1])].name;
+  for (const MechanismJoint& joint : scene.mechanism->joints) {
+    if ((joint.first != a || joint.second != b) && (joint.first != b || joint.second != a)) continue;
+    return fmt::format("  they share the joint {}: put them on layers (\"z\"), or the pair into \"ignore\"\n",
+                       joint.name);
+  }
+  return "";
 }
 
 const char* const grazing_means =
@@ -140,7 +180,9 @@ std::string lock_text(const Scene& scene) {
   };
   const std::string text = fmt::format("  the mechanism locks at t = {} ({}): {} in line",
                                        time_text({lock.time[0], lock.time[1]}), to_string(lock.kind), list(lock.links));
-  return text + (lock.joints.empty() ? "\n" : fmt::format("; free to move there: {}\n", list(lock.joints)));
+  return text + (lock.joints.empty()
+                     ? "\n"
+                     : fmt::format("; joints that could move there with the drives held: {}\n", list(lock.joints)));
 }
 
 std::string grounds_text(const Scene& scene, const Coverage& coverage) {
@@ -165,7 +207,7 @@ std::string report(const Scene& scene, const Answer& answer, Touch touch) {
     text += "  the bodies overlap already when the motion starts";
     text += inside ? fmt::format(": ({}, {}) is inside both", inside->x, inside->y)
                    : ": by too little for a point to be named that is inside both";
-    return text + "\n";
+    return text + "\n" + pin_text(scene, answer);
   }
   if (answer.outcome == Outcome::undecided) text += "  " + answer.reason + "\n";
   if (answer.fit > 0) text += fmt::format("  of bodies shrunk by {:.9g} to {:.9g}\n", answer.fit, 2 * answer.fit);

@@ -82,9 +82,7 @@ class JointMotionReader {
       if (joints_[i].name == name) return static_cast<int>(i);
       names.push_back(joints_[i].name);
     }
-    const std::string near = nearest_word(name, names);
-    throw document_.error(token, path, "there is no joint \"" + excerpt(name) + "\"",
-                          near.empty() ? "name one of \"joints\"" : "is \"" + excerpt(near) + "\" meant?");
+    throw document_.error(token, path, "there is no joint \"" + excerpt(name) + "\"", hint_for_name(name, names));
   }
 
   const JsonDocument& document_;

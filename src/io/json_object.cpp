@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "io/text.hpp"
 #include "io/text_file.hpp"
 
 namespace taut::internal::io {
@@ -72,6 +73,16 @@ std::string nearest_word(const std::string& word, const std::vector<std::string>
     }
   }
   return best;
+}
+
+std::string hint_for_name(const std::string& word, const std::vector<std::string>& known) {
+  constexpr std::size_t most = 12;
+  if (const std::string near = nearest_word(word, known); !near.empty()) return "is \"" + excerpt(near) + "\" meant?";
+  std::string list;
+  for (std::size_t i = 0; i < std::min(known.size(), most); ++i)
+    list += (i > 0 ? ", \"" : "\"") + excerpt(known[i]) + "\"";
+  if (known.empty()) return "there is none";
+  return "there " + std::string(known.size() == 1 ? "is " : "are ") + list + (known.size() > most ? " and others" : "");
 }
 
 JsonObject::JsonObject(const JsonDocument& document, std::size_t token, const std::string& path,

@@ -108,9 +108,7 @@ class MechanismReader {
       if (joint.name == name) return joint.kind;
       names.push_back(joint.name);
     }
-    const std::string near = nearest_word(name, names);
-    throw document_.error(token, path, "there is no joint \"" + excerpt(name) + "\"",
-                          near.empty() ? "name one of \"joints\"" : "is \"" + excerpt(near) + "\" meant?");
+    throw document_.error(token, path, "there is no joint \"" + excerpt(name) + "\"", hint_for_name(name, names));
   }
 
   void read_drive(const std::string& name, std::size_t token, const std::string& path) {

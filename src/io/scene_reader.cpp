@@ -62,9 +62,12 @@ class SceneReader {
     const JsonObject root(document_, 0, "", known_keys(), scene_shape);
     if (io::has_ranges(document_)) {
       const auto joints = root.find("joints");
-      throw document_.error(joints ? *joints : root.get("mechanism"), joints ? "joints" : "mechanism",
-                            joints ? "the scene has joints instead of a time" : "the scene has no time",
-                            "ask taut envelope or taut path about it, or give it a \"time\" and motions");
+      throw document_.error(
+          joints ? *joints : root.get("mechanism"), joints ? "joints" : "mechanism",
+          joints ? "the scene has joints instead of a time" : "the scene has no time",
+          joints ? "ask taut envelope or taut path about it, or give it a \"time\" and motions"
+                 : "give it a \"time\", as \"time\": [0, 1]; with ranges as drives, ask taut envelope or "
+                   "taut path about it");
     }
     Scene scene;
     read_format(root.get("format"));

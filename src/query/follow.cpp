@@ -151,12 +151,13 @@ class FollowerSearch {
     drop_.start = start;
     drop_.end = end;
     const double speed = reach_ / (end - start);
-    MotionPiece& piece = drop_.bodies[follower_].motion.pieces.emplace_back();
+    // In place of the last one, which is still there if that was not decided.
+    drop_.bodies[follower_].motion.pieces.resize(1);
+    MotionPiece& piece = drop_.bodies[follower_].motion.pieces.front();
     piece.origin = start;
     piece.x = {reach_ * direction_.x, -speed * direction_.x};
     piece.y = {reach_ * direction_.y, -speed * direction_.y};
     const Answer down = asked(drop_);
-    drop_.bodies[follower_].motion.pieces.clear();
     if (down.outcome == Outcome::untested)
       throw InputError("follower", "nothing was tested: no pair of bodies with it is asked about",
                        "see \"ignore\", and the bodies' layers");

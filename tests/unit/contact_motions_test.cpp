@@ -8,6 +8,7 @@
 #include "taut/contact_motions.hpp"
 #include "taut/error.hpp"
 #include "taut/follow.hpp"
+#include "taut/io.hpp"
 #include "taut/motions.hpp"
 #include "taut/pose.hpp"
 
@@ -145,6 +146,19 @@ TEST(ContactMotions, AFollowerLiesOnWhatPassesOverIt) {
       }
     }
   }
+}
+
+/// A round cam turns under a face that is drawn where it touches: whether they touch is finer than doubles resolve
+/// curves there, and what is asked about one instant leaves nothing behind for the next one.
+TEST(ContactMotions, AFaceRestsOnARoundCam) {
+  const Scene scene = parse_scene(R"({"format": "taut-scene/1", "time": [0, 360], "bodies": [
+    {"name": "cam", "polygon": {"path": "M10 0 A10 10 0 0 1 -10 0 L-10 -14 L10 -14 Z"},
+     "motion": {"velocity": [0, 0], "spin_deg": 1}},
+    {"name": "face", "polygon": [[-6, 10], [6, 10], [6, 12], [-6, 12]]}]})");
+  const FollowAnswer answer = follow(scene, 1, {0, 1}, 20, {36});
+  EXPECT_FALSE(answer.undecided.empty());
+  EXPECT_GE(answer.lifts.size(), 12U);
+  for (const Lift& lift : answer.lifts) EXPECT_GE(lift.lift[1], 0);
 }
 
 std::vector<FollowStretch> contacts_of(const Scene& scene, BodyId follower, Touch touch = Touch::open) {

@@ -139,7 +139,8 @@ function geometryLine({ geometry }: Answer): string {
 /** As `taut check` says it; empty where it is not known whether it locks. */
 function lockLine(lock: Lock | undefined): string {
   if (!lock || lock.kind === "undecided") return "";
-  const free = lock.joints.length > 0 ? `; free to move there: ${lock.joints.join(", ")}` : "";
+  const free =
+    lock.joints.length > 0 ? `; joints that could move there with the drives held: ${lock.joints.join(", ")}` : "";
   return `The mechanism locks at t = ${timeText(...lock.t)} (${lock.kind}): ${lock.links.join(", ")} in line${free}.`;
 }
 

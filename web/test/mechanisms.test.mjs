@@ -86,7 +86,7 @@ test("a lock is named, explained, and marked beside the slider", async () => {
   const text = await page.textContent("#answer");
   assert.match(
     text,
-    /locks at t = 0\.6647615158762… \(dead point\): upper, lower in line; free to move there: A, B, C/,
+    /locks at t = 0\.6647615158762… \(dead point\): upper, lower in line; joints that could move there with the drives held: A, B, C/,
   );
   assert.match(text, /Proved free of contact until there, on \[0, 0\.66476151/);
   await page.click("#headline button");
