@@ -652,6 +652,7 @@ expect 1 'proof in broken.proof' '' prove --clearance 0.5 -o broken.proof hit.js
 expect 0 'closer within' '' verify hit.json broken.proof --expect contact --clearance 0.5
 expect 1 'NOT AS EXPECTED' '' verify hit.json broken.proof --expect contact
 expect 1 'NOT AS EXPECTED' '' verify hit.json broken.proof --expect free
+expect 1 'NOT AS EXPECTED: no way' '' verify hit.json broken.proof --expect none
 expect 2 '' 'clearance: it is not a positive number' prove --clearance 0 -o x.proof hit.json
 expect 1 '^LOCKED  a x b' '' separate "$(world '{"name":"b","polygon":{"outline":[[-9,-9],[9,-9],[9,9],[-9,9]],"holes":[[[-3,-3],[4,-3],[4,4],[-3,4]]]}}' && echo world.json)"
 expect 1 '"outcome":"locked","body":"b","all":false,"directions":\[\]' '' separate --json world.json
@@ -698,7 +699,10 @@ expect 1 'proof in none.proof, scene [0-9a-f]{16}$' '' prove "$examples/paths/pi
 expect 0 '^VALID  piano x walls' '' verify "$examples/paths/piano_long.json" none.proof
 expect 0 '"valid":true,"outcome":"none","touch":"open","cells":' '' verify --json "$examples/paths/piano_long.json" none.proof
 expect 1 '^NOT VALID.*' '' verify "$examples/paths/piano.json" none.proof
-expect 2 '' 'log is about paths' verify --expect free "$examples/paths/piano_long.json" none.proof
+expect 1 'NOT AS EXPECTED: free' '' verify --expect free "$examples/paths/piano_long.json" none.proof
+expect 0 '^VALID' '' verify --expect none --touch open "$examples/paths/piano_long.json" none.proof
+expect 0 '"as_expected":true' '' verify --expect none --json "$examples/paths/piano_long.json" none.proof
+expect 1 'NOT AS EXPECTED: .*touch closed' '' verify --expect none --touch closed "$examples/paths/piano_long.json" none.proof
 expect 2 '' 'has a time instead of joints' verify free.json none.proof
 expect 0 'no proof was written' '' prove "$examples/paths/piano.json" -o way.proof
 [ -e way.proof ] && { echo "FAILED: a proof of a way that is none"; failures=$((failures + 1)); }

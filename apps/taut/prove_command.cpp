@@ -78,14 +78,16 @@ int run_prove_path(const ProveArguments& arguments) {
   progress.reset();
   const bool proof = answer.outcome == PathOutcome::none;
   if (proof) file.commit();
+  const char* const remedy =
+      answer.outcome == PathOutcome::path ? "; to prove the way, prove the scene that `taut path -o` writes" : "";
   if (arguments.json) {
-    if (!proof) fmt::print(stderr, "taut: {}\n", not_written("proof", arguments.output));
+    if (!proof) fmt::print(stderr, "taut: {}{}\n", not_written("proof", arguments.output), remedy);
     print_text(path_json(problem, answer, options) + "\n");
   } else {
     print_text(path_in_words(problem, answer));
     print_text(proof ? "  proof in " + io::line_for_terminal(arguments.output) + ", scene " +
                            to_hex(path_fingerprint(problem)).substr(0, 16) + "\n"
-                     : "  " + not_written("proof", arguments.output) + "\n");
+                     : "  " + not_written("proof", arguments.output) + remedy + "\n");
   }
   return exit_code(answer.outcome, arguments.allow_untested);
 }
@@ -134,7 +136,7 @@ void add_prove(const Command& app, Action& action) {
   command.add_flag("--json", arguments->json, "print the answer as one JSON object");
   command.footer(
       "Example:\n"
-      "  taut prove scene.json -o scene.proof && taut verify scene.json scene.proof\n"
+      "  taut prove scene.json -o scene.proof; taut verify scene.json scene.proof\n"
       "\n"
       "The proof of two bodies is the one of the engine that answers first: the way of a tiling (--engine kinetic), "
       "or\n"
@@ -143,7 +145,8 @@ void add_prove(const Command& app, Action& action) {
       "is\n"
       "no way; for the proof of a way, prove the scene that `taut path -o` writes.\n"
       "\n"
-      "Exit codes as for `taut check`. An undecided run proves what it has done. If a limit or Ctrl-C stops the\n"
+      "Exit codes as for `taut check`, and for `taut path` of a scene with a goal. An undecided run proves what it has "
+      "done. If a limit or Ctrl-C stops the\n"
       "proof of two polygons itself, the log proves a part of the time, and the answer says which; of more bodies, "
       "and\n"
       "of curves, there is then no log.\n");

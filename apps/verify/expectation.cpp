@@ -21,6 +21,7 @@ void validate(const Expectation& expected, const Scene& scene) {
 }
 
 bool is_met(const Expectation& expected, const Scene& scene, const Verified& proved) {
+  if (expected.no_way) return false;
   if (expected.touch && *expected.touch != proved.touch) return false;
   const double wanted = expected.clearance.value_or(0);
   if (expected.outcome != Outcome::contact && proved.clearance < wanted) return false;
@@ -34,8 +35,15 @@ bool is_met(const Expectation& expected, const Scene& scene, const Verified& pro
   return expected.until && *expected.until <= proved.free_until && scene.start < proved.free_until;
 }
 
+bool is_met(const Expectation& expected, const VerifiedPath& proved) {
+  if (expected.outcome || (expected.touch && *expected.touch != proved.touch)) return false;
+  // Where no way keeps a distance, none keeps a larger one.
+  return proved.clearance <= expected.clearance.value_or(0);
+}
+
 std::string text_of(const Expectation& expected, const Scene& scene) {
   std::string text;
+  if (expected.no_way) text = "no way from the start to the goal";
   if (expected.outcome == Outcome::free) {
     text = expected.until ? fmt::format("free on [{}, {})", scene.start, *expected.until)
                           : fmt::format("free on [{}, {}]", scene.start, internal::given_end(scene));

@@ -84,17 +84,29 @@ std::string length_text(const Verified& v) {
 
 std::string pair_text(const Scene& scene) { return subject_text(scene, std::nullopt); }
 
-std::string valid_text(const Scene& scene, const Verified& v, const Expectation& expected, bool met) {
-  std::string text =
-      fmt::format("VALID  {}\n{}  {}\n  touch {}, {}, scene {:.16}\n", pair_text(scene), coverage_text(v.coverage),
-                  claim(scene, v), to_string(v.touch), length_text(v), to_hex(v.fingerprint));
-  if (!met) text += fmt::format("  NOT AS EXPECTED: {}\n", text_of(expected, scene));
-  return text;
+std::string unmet_text(const Scene& scene, const Expectation& expected, bool met) {
+  return met ? "" : fmt::format("  NOT AS EXPECTED: {}\n", text_of(expected, scene));
 }
 
-/// With what was expected, if anything was.
-std::string valid_json(const Scene& scene, const Verified& v, const Expectation& expected, bool met) {
-  std::string s = verified_json(scene, v);
+std::string valid_text(const Scene& scene, const Verified& v, const Expectation& expected, bool met) {
+  return fmt::format("VALID  {}\n{}  {}\n  touch {}, {}, scene {:.16}\n", pair_text(scene), coverage_text(v.coverage),
+                     claim(scene, v), to_string(v.touch), length_text(v), to_hex(v.fingerprint)) +
+         unmet_text(scene, expected, met);
+}
+
+/// What a log about paths proves: always that there is no way.
+std::string valid_text(const Scene& bodies, const VerifiedPath& v, const Expectation& expected, bool met) {
+  const std::string how =
+      v.barrier > 0 ? fmt::format("a closed polygon of {} displacements", v.barrier)
+                    : fmt::format("{} cells, {} shown to collide, {} reached", v.cells, v.colliding, v.reached);
+  return fmt::format("VALID  {}\n  no way from the start to the goal{}{}\n  {}, scene {:.16}\n", pair_text(bodies),
+                     v.clearance > 0 ? fmt::format(" that keeps {}", v.clearance) : "",
+                     v.touch == Touch::closed ? " without touching" : "", how, to_hex(v.fingerprint)) +
+         unmet_text(bodies, expected, met);
+}
+
+/// The JSON of what a log proves, with what was expected, if anything was.
+std::string valid_json(std::string s, const Scene& scene, const Expectation& expected, bool met) {
   if (expected.any())
     s.insert(s.size() - 1,
              fmt::format(",\"expected\":{},\"as_expected\":{}", io::string_text(text_of(expected, scene)), met));
@@ -127,52 +139,39 @@ int report_failure(const Scene& scene, bool json, bool refuted, const std::strin
   return refuted ? exit_not_proved : exit_time_is_up;
 }
 
-int report_log(const VerifyArguments& arguments, const Scene& scene, std::istream& log) {
-  const bool json = arguments.json;
+/// Runs `check()`, which verifies the log and returns the exit code, within the limits.
+template <class Check>
+int within_limits(const VerifyArguments& arguments, const Scene& scene, const Check& check) {
   try {
     const Budget scope(Limits{arguments.max_seconds});
     const Progress progress;
-    const Verified verified = verify(scene, log);
-    const bool met = is_met(arguments.expected, scene, verified);
-    if (json) {
-      print_text(valid_json(scene, verified, arguments.expected, met));
-    } else {
-      print_text(valid_text(scene, verified, arguments.expected, met));
-    }
-    return met ? exit_proved : exit_not_proved;
+    return check();
   } catch (const ProofError& error) {
-    return report_failure(scene, json, true, error.what());
+    return report_failure(scene, arguments.json, true, error.what());
   } catch (const Interrupted& limit) {
-    return report_failure(scene, json, false, limit.reason);
+    return report_failure(scene, arguments.json, false, limit.reason);
   }
 }
 
-/// What a log about paths proves: always that there is no way.
+int report_log(const VerifyArguments& arguments, const Scene& scene, std::istream& log) {
+  return within_limits(arguments, scene, [&] {
+    const Verified verified = verify(scene, log);
+    const bool met = is_met(arguments.expected, scene, verified);
+    print_text(arguments.json ? valid_json(verified_json(scene, verified), scene, arguments.expected, met)
+                              : valid_text(scene, verified, arguments.expected, met));
+    return met ? exit_proved : exit_not_proved;
+  });
+}
+
 int report_path_log(const VerifyArguments& arguments, const PathProblem& problem, std::istream& log) {
-  if (arguments.expected.any())
-    throw InputError("--expect", "the log is about paths: that there is no way is all that it can prove",
-                     "leave out --expect and what goes with it");
   const Scene& bodies = problem.linkage.scene;
-  try {
-    const Budget scope(Limits{arguments.max_seconds});
-    const Progress progress;
-    const VerifiedPath v = verify_path(problem, log);
-    if (arguments.json) {
-      print_text(verified_path_json(problem, v) + "\n");
-    } else {
-      const std::string how =
-          v.barrier > 0 ? fmt::format("a closed polygon of {} displacements", v.barrier)
-                        : fmt::format("{} cells, {} shown to collide, {} reached", v.cells, v.colliding, v.reached);
-      print_text(fmt::format("VALID  {}\n  no way from the start to the goal{}{}\n  {}, scene {:.16}\n",
-                             pair_text(bodies), v.clearance > 0 ? fmt::format(" that keeps {}", v.clearance) : "",
-                             v.touch == Touch::closed ? " without touching" : "", how, to_hex(v.fingerprint)));
-    }
-    return exit_proved;
-  } catch (const ProofError& error) {
-    return report_failure(bodies, arguments.json, true, error.what());
-  } catch (const Interrupted& limit) {
-    return report_failure(bodies, arguments.json, false, limit.reason);
-  }
+  return within_limits(arguments, bodies, [&] {
+    const VerifiedPath verified = verify_path(problem, log);
+    const bool met = is_met(arguments.expected, verified);
+    print_text(arguments.json ? valid_json(verified_path_json(problem, verified), bodies, arguments.expected, met)
+                              : valid_text(bodies, verified, arguments.expected, met));
+    return met ? exit_proved : exit_not_proved;
+  });
 }
 
 const char* const exit_codes =
@@ -190,10 +189,11 @@ void add_verify_options(const Command& command, VerifyArguments& arguments, cons
   command.add_option("PROOF", arguments.proof, "proof log, or - for standard input").required().value(" ");
   command.add_flag("--json", arguments.json, "print one JSON object");
   const auto expect = [&arguments](const std::string& outcome) {
-    arguments.expected.outcome = outcome == "free" ? Outcome::free : Outcome::contact;
+    arguments.expected.no_way = outcome == "none";
+    if (outcome != "none") arguments.expected.outcome = outcome == "free" ? Outcome::free : Outcome::contact;
   };
-  const Option outcome =
-      command.add_choice("--expect", {"free", "contact"}, expect, "fail unless this is what the log proves");
+  const Option outcome = command.add_choice("--expect", {"free", "contact", "none"}, expect,
+                                            "fail unless this is what the log proves; none: that there is no way");
   const auto touch = [&arguments](const std::string& mode) {
     arguments.expected.touch = mode == "closed" ? Touch::closed : Touch::open;
   };
