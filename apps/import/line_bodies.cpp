@@ -9,16 +9,13 @@
 #include "import/bodies.hpp"
 #include "import/body_text.hpp"
 #include "import/layer_plan.hpp"
+#include "io/text.hpp"
 #include "io/text_file.hpp"
 
 namespace taut::drawing {
 using namespace internal;
 
 namespace {
-
-std::string counted_text(std::size_t n, const char* one, const char* many) {
-  return fmt::format("{} {}", n, n == 1 ? one : many);
-}
 
 bool is_near(const Polygon& ring, const Point& p, double distance) {
   for (std::size_t i = 0; i < ring.size(); ++i)
@@ -84,7 +81,7 @@ void BodyMaker::read_lines(Drawing& drawing) {
   for (const std::size_t k : plan.marks)
     file_.notes.push_back(fmt::format("layer {} encloses nothing, and changes no area: its {} are marks",
                                       layer_title(drawing.layers[lines[k].layer].name),
-                                      counted_text(lines[k].chains.size(), "line", "lines")));
+                                      io::counted(lines[k].chains.size(), "line", "lines")));
   adopt_holes(lines, plan, settings);
   std::vector<Piece> pieces;
   for (std::size_t s = 0; s < plan.sets.size(); ++s) read_set(drawing, lines, plan, s, pieces);
@@ -159,7 +156,7 @@ void BodyMaker::note_coarse_join(const std::vector<LineLayer>& lines) {
   if (small == 0) return;
   file_.notes.push_back(
       fmt::format("--join {:.4g} is larger than {} of {}, the first one at {}: they may vanish or move",
-                  *settings_.join, small, counted_text(all, "line", "lines"), first));
+                  *settings_.join, small, io::counted(all, "line", "lines"), first));
   coarse_join_ = true;
 }
 
@@ -177,7 +174,7 @@ void BodyMaker::note_conflicts(const Drawing& drawing, const std::vector<LineLay
       if (conflict.kind == kind && count++ == 0) first = &conflict;
     if (!first) continue;
     const std::string others =
-        count > 1 ? fmt::format(", and {} do", counted_text(count - 1, "other pair", "other pairs")) : "";
+        count > 1 ? fmt::format(", and {} do", io::counted(count - 1, "other pair", "other pairs")) : "";
     file_.notes.push_back(
         kind == Kind::cross
             ? fmt::format(
@@ -275,7 +272,7 @@ void BodyMaker::take_report(const Outlines& outlines, const std::vector<Chain>& 
         "parts share cuts, {}, the first one at {}: the areas between cuts are parts, the smallest one {:.6g} (if it "
         "is "
         "waste, trim the lines around it)",
-        counted_text(outlines.cuts, "segment", "segments"), point_text(outlines.first_cut), outlines.smallest_cut));
+        io::counted(outlines.cuts, "segment", "segments"), point_text(outlines.first_cut), outlines.smallest_cut));
   take_crossed(outlines, chains);
   if (settings_.open == OpenRings::skip) return;
   for (const Closure& closure : outlines.suspicious) fail_open(outlines, closure, chains);
@@ -302,7 +299,7 @@ void BodyMaker::fail_open(const Outlines& outlines, const Closure& closure, cons
        fmt::format("an outline stays open, with a gap of {:.4g} from {} to {}{}{}", width, point_text(widest->first),
                    point_text(widest->second),
                    closure.gaps.size() > 1
-                       ? fmt::format(", and {} more", counted_text(closure.gaps.size() - 1, "gap", "gaps"))
+                       ? fmt::format(", and {} more", io::counted(closure.gaps.size() - 1, "gap", "gaps"))
                        : "",
                    closure.encloses ? "; what is closed at " + chains[*closure.encloses].place +
                                           (closure.partly ? " lies partly in it" : " lies in it")
@@ -339,13 +336,13 @@ void BodyMaker::note_holes(const Outlines& outlines, const std::vector<std::stri
     std::size_t all = 0;
     for (const auto& [names, n] : holes) all += n;
     file_.notes.push_back(fmt::format("{} are holes in material of other layers (--by layer keeps layers apart)",
-                                      counted_text(all, "contour", "contours")));
+                                      io::counted(all, "contour", "contours")));
     return;
   }
   for (const auto& [names, n] : holes)
     file_.notes.push_back(
         fmt::format("layer {}: {} in material of layer {} (--by layer keeps layers apart)", layer_title(names.first),
-                    counted_text(n, "contour is a hole", "contours are holes"), layer_title(names.second)));
+                    io::counted(n, "contour is a hole", "contours are holes"), layer_title(names.second)));
 }
 
 }  // namespace taut::drawing

@@ -24,10 +24,6 @@ double rounded_up(double value) {
   return std::ceil(value / step) * step;
 }
 
-std::string counted(std::size_t n, const char* one, const char* many) {
-  return fmt::format("{} {}", n, n == 1 ? one : many);
-}
-
 std::string spot(const Point& p) { return fmt::format("({:.7g}, {:.7g})", p.x + 0.0, p.y + 0.0); }
 
 /// "  kind: line" for the first ones, and how many more there are.
@@ -63,18 +59,19 @@ std::string skipped_text(const Skipped& skipped) {
 std::string curves_text(const FileReport& file) {
   std::string s;
   if (file.kept > 0)
-    s += fmt::format("  {} of {} kept as they are\n", counted(file.kept, "segment", "segments"),
-                     counted(file.curves.segments, "curve", "curves"));
+    s += fmt::format("  {} of {} kept as they are\n", io::counted(file.kept, "segment", "segments"),
+                     io::counted(file.curves.segments, "curve", "curves"));
   if (file.curves.segments > 0 && file.kept == 0) {
     s += fmt::format("  {} as {}, nowhere farther than {:.3g} away (--tolerance {:.3g})\n",
-                     counted(file.curves.segments, "curve", "curves"), counted(file.curves.chords, "chord", "chords"),
-                     rounded_up(file.curves.deviation), file.fineness.tolerance);
+                     io::counted(file.curves.segments, "curve", "curves"),
+                     io::counted(file.curves.chords, "chord", "chords"), rounded_up(file.curves.deviation),
+                     file.fineness.tolerance);
   }
   for (const Chorded& c : file.chorded) {
     s += fmt::format(
         "  as chords: {} at {}{}, layer {}: {} as {}, nowhere farther than {:.3g} away (--tolerance {:.3g})\n", c.what,
         c.place, c.entities > 1 ? fmt::format(", and {} more", c.entities - 1) : "", c.layer,
-        counted(c.counts.segments, "curve", "curves"), counted(c.counts.chords, "chord", "chords"),
+        io::counted(c.counts.segments, "curve", "curves"), io::counted(c.counts.chords, "chord", "chords"),
         rounded_up(c.counts.deviation), file.fineness.tolerance);
   }
   return s;
@@ -84,9 +81,9 @@ std::string gaps_text(const FileReport& file) {
   if (file.gaps.empty()) return "";
   const auto widest = std::max_element(file.gaps.begin(), file.gaps.end(),
                                        [](const GapReport& a, const GapReport& b) { return a.width < b.width; });
-  std::string s =
-      fmt::format("  {} closed, the widest {:.3g} at {} (--join {:.3g})\n", counted(file.gaps.size(), "gap", "gaps"),
-                  rounded_up(widest->width), spot(widest->from), file.fineness.join);
+  std::string s = fmt::format("  {} closed, the widest {:.3g} at {} (--join {:.3g})\n",
+                              io::counted(file.gaps.size(), "gap", "gaps"), rounded_up(widest->width),
+                              spot(widest->from), file.fineness.join);
   // Those that rounding explains need no list.
   std::vector<GapReport> wide;
   for (const GapReport& gap : file.gaps)
@@ -101,7 +98,8 @@ std::string file_text(const FileReport& file) {
   std::string s = fmt::format("{}: {}, units: {}\n", file.file, file.format, file.units) + curves_text(file);
   s += gaps_text(file);
   if (file.repeated > 0)
-    s += fmt::format("  {} drawn more than once, and counted once\n", counted(file.repeated, "segment", "segments"));
+    s +=
+        fmt::format("  {} drawn more than once, and counted once\n", io::counted(file.repeated, "segment", "segments"));
   s += named_lines("cut off", file.repairs, [&file](const RepairReport& repair) {
     return fmt::format("a {} {:.3g} {} at {}, {}{} (--{} {:.3g})", repair.what, rounded_up(repair.size),
                        repair.what == "spike" ? "long" : "wide", spot(repair.at), repair.place,
@@ -114,7 +112,7 @@ std::string file_text(const FileReport& file) {
   });
   s += named_lines("closed", file.closed, [](const RingReport& ring) {
     return fmt::format("an outline at {}{} by {}, {:.3g} in all", ring.place, layer_text(ring.layer),
-                       counted(ring.gaps.size(), "straight line", "straight lines"), rounded_up(ring.gap_length));
+                       io::counted(ring.gaps.size(), "straight line", "straight lines"), rounded_up(ring.gap_length));
   });
   s += named_lines("note", file.notes, [](const std::string& note) { return note; });
   s += named_lines("open", file.open, open_text);
@@ -241,8 +239,8 @@ std::string report_text(const Import& import, const ImportSettings&) {
     for (const BodyReport& body : import.bodies) {
       if (body.file != file.file) continue;
       s += fmt::format("  body {}: {}, {}, {}, area {:.6g}{}, {:.5g} x {:.5g}{}\n", body.name,
-                       counted(body.parts, "part", "parts"), counted(body.holes, "hole", "holes"),
-                       counted(body.vertices, "vertex", "vertices"), body.area,
+                       io::counted(body.parts, "part", "parts"), io::counted(body.holes, "hole", "holes"),
+                       io::counted(body.vertices, "vertex", "vertices"), body.area,
                        body.overlap > 0 ? fmt::format(" (parts overlap by {:.4g})", body.overlap) : "",
                        body.high.x - body.low.x, body.high.y - body.low.y, levels_text(body));
     }

@@ -11,6 +11,7 @@
 #include "feature_text.hpp"
 #include "interrupt.hpp"
 #include "io/platform.hpp"
+#include "io/text.hpp"
 #include "scene_argument.hpp"
 #include "taut/envelope.hpp"
 #include "taut/io.hpp"
@@ -56,8 +57,8 @@ std::string envelope_in_words(const Linkage& linkage, const Envelope& answer) {
   if (answer.witness)
     text += fmt::format("  {} x {} at {}\n", name_in(linkage, answer.witness->pair[0]),
                         name_in(linkage, answer.witness->pair[1]), combination_text(linkage, answer.witness->values));
-  text += fmt::format("  free {:.6g} %, colliding {:.6g} %, undecided {:.6g} %, in {} cells\n", 100 * answer.free,
-                      100 * answer.colliding, 100 * answer.undecided, answer.cells.size());
+  text += fmt::format("  free {:.6g} %, colliding {:.6g} %, undecided {:.6g} %, in {}\n", 100 * answer.free,
+                      100 * answer.colliding, 100 * answer.undecided, io::counted(answer.cells.size(), "cell"));
   if (answer.may_lock > 0)
     text +=
         fmt::format("  the mechanism may lock, or does not get there, for {:.6g} % of them\n", 100 * answer.may_lock);

@@ -5,6 +5,7 @@
 #include "commands.hpp"
 #include "coverage_text.hpp"
 #include "feature_text.hpp"
+#include "io/text.hpp"
 
 namespace taut::cli {
 namespace {
@@ -44,7 +45,8 @@ std::string path_in_words(const PathProblem& problem, const PathAnswer& answer) 
       text += fmt::format("    {} and {}, {:.3g} apart\n", vertex_text(problem.linkage.scene, f.vertex),
                           edge_text(problem.linkage.scene, f.edge), f.distance);
   }
-  text += answer.exact ? "  decided by exact signs\n" : fmt::format("  {} cells\n", answer.cells.size());
+  text +=
+      answer.exact ? "  decided by exact signs\n" : "  " + internal::io::counted(answer.cells.size(), "cell") + "\n";
   return text;
 }
 

@@ -6,6 +6,7 @@
 #include "chosen_body.hpp"
 #include "commands.hpp"
 #include "interrupt.hpp"
+#include "io/text.hpp"
 #include "report.hpp"
 #include "scene_argument.hpp"
 #include "scene_source.hpp"
@@ -34,8 +35,8 @@ std::string in_words(const Scene& scene, BodyId body, const SweptRegion& region)
   }
   return fmt::format("SWEPT  {} passes over {:.9g} on [{}, {}]\n", scene.bodies[static_cast<std::size_t>(body)].name,
                      region.area, scene.start, scene.end) +
-         fmt::format("  {} polygon{} with {} hole{} and {} vertices, at most {:.6g} too large anywhere\n",
-                     region.parts.size(), region.parts.size() == 1 ? "" : "s", holes, holes == 1 ? "" : "s", vertices,
+         fmt::format("  {} with {} and {} vertices, at most {:.6g} too large anywhere\n",
+                     io::counted(region.parts.size(), "polygon"), io::counted(holes, "hole"), vertices,
                      region.tolerance) +
          lock_text(scene);
 }

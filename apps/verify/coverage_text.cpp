@@ -1,4 +1,5 @@
 #include "coverage_text.hpp"
+#include "io/text.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +7,7 @@ namespace taut::cli {
 
 std::string coverage_text(const Coverage& c) {
   if (c.pairs == 1 && c.untested() == 0) return "";
-  std::string text = fmt::format("  {} pair{}: {} tested", c.pairs, c.pairs == 1 ? "" : "s", c.tested);
+  std::string text = fmt::format("  {}: {} tested", internal::io::counted(c.pairs, "pair"), c.tested);
   if (c.apart > 0) text += fmt::format(", {} apart by their boxes", c.apart);
   std::string left_out;
   const auto add = [&](std::uint64_t count, const char* what) {

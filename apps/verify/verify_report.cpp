@@ -11,6 +11,7 @@
 #include "io/answer_writer.hpp"
 #include "io/json_writer.hpp"
 #include "io/platform.hpp"
+#include "io/text.hpp"
 #include "io/text_file.hpp"
 #include "numeric/budget.hpp"
 #include "progress.hpp"
@@ -73,13 +74,10 @@ std::string claim(const Scene& scene, const Verified& v) {
 
 /// How long the proof is.
 std::string length_text(const Verified& v) {
-  const auto counted = [](std::uint64_t n, const char* what) {
-    return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
-  };
-  if (v.kind == ProofKind::separations) return counted(v.separations, "separation");
-  if (v.kind == ProofKind::tiling) return counted(v.events, "event");
-  return counted(v.segments, "straight edge") + ", " +
-         (v.separations > 0 ? counted(v.separations, "separation") : counted(v.events, "event"));
+  if (v.kind == ProofKind::separations) return io::counted(v.separations, "separation");
+  if (v.kind == ProofKind::tiling) return io::counted(v.events, "event");
+  return io::counted(v.segments, "straight edge") + ", " +
+         (v.separations > 0 ? io::counted(v.separations, "separation") : io::counted(v.events, "event"));
 }
 
 std::string pair_text(const Scene& scene) { return subject_text(scene, std::nullopt); }

@@ -75,6 +75,10 @@ std::string csv_field(const std::string& text) {
   return s + "\"";
 }
 
+std::string counted(std::size_t n, const std::string& one, const std::string& many) {
+  return std::to_string(n) + " " + (n == 1 ? one : many.empty() ? one + "s" : many);
+}
+
 std::string heights_text(const Layers& z) {
   if (z == Layers{}) return "all layers";
   const auto end = [](double height) { return std::isfinite(height) ? number_text(height) : std::string(); };

@@ -26,6 +26,9 @@ std::optional<double> scan_number(const std::string& text, std::size_t* position
 /// A field of comma-separated values: in quotes where it has to be.
 std::string csv_field(const std::string& text);
 
+/// "1 cell", "2 cells". Without `many`, that is `one` and an s.
+std::string counted(std::size_t n, const std::string& one, const std::string& many = "");
+
 /// "z 0..3", "z 3.." where there is no upper end, or "all layers".
 std::string heights_text(const Layers& z);
 
