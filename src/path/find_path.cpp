@@ -90,6 +90,13 @@ void require_free(const PathProblem& problem, const PathOptions& options, const 
   throw InputError(where, collision_text(problem, options, *found), hint);
 }
 
+/// Are there no values of the joints that the mechanism can have in another pose than the one that it gets into
+/// straight from the drawn pose? Where several drives move a loop, there may be.
+bool has_one_pose(const Linkage& linkage) {
+  return std::none_of(linkage.loops.begin(), linkage.loops.end(),
+                      [](const DrivenLoops& loops) { return loops.region != nullptr; });
+}
+
 void search(const PathProblem& problem, const PathOptions& options, const OnNone& on_none, PathAnswer& answer) {
   const JointSpace space(problem, options.clearance);
   answer.coverage = space.pairs().coverage();
@@ -105,7 +112,8 @@ void search(const PathProblem& problem, const PathOptions& options, const OnNone
                      "ignore the pair, or write \"at_rest\": \"skip\"");
   const WayChecker checker(problem, space, options);
   require_free(problem, options, space, checker, problem.start, "start");
-  if (const auto goal = Goal(problem, space).only()) require_free(problem, options, space, checker, *goal, "goal");
+  if (const auto goal = Goal(problem, space).only(); goal && has_one_pose(problem.linkage))
+    require_free(problem, options, space, checker, *goal, "goal");
   if (decide_translation(problem, options, space, checker, on_none.barrier, answer)) return;
   // There is no way, but that is to be proved otherwise.
   const bool blocked = std::exchange(answer.exact, false);

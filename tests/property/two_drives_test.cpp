@@ -284,6 +284,15 @@ TEST(TwoDrivesOfALoop, SaysNoNoneWhereALockIsReached) {
   EXPECT_TRUE(log.str().empty());
 }
 
+/// A goal that is not reached straight from the drawn pose is no error: other ways may lead there.
+TEST(TwoDrivesOfALoop, GoalsNeedNotBeStraightAhead) {
+  PathProblem problem = read_path_problem("examples/paths/five_bar.json");
+  problem.goal = {std::array{60.0, 60.0}, std::array{-60.0, -60.0}};
+  PathAnswer answer;
+  ASSERT_NO_THROW(answer = find_path(problem));
+  EXPECT_EQ(answer.outcome, PathOutcome::undecided);
+}
+
 /// A pose behind a lock is none to start from; drawings of it are errors.
 TEST(TwoDrivesOfALoop, NamesWhatMayLock) {
   PathProblem problem = read_path_problem("examples/paths/five_bar.json");
