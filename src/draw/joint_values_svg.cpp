@@ -1,13 +1,18 @@
-// All combinations of one or two joints' values, as a picture: free, colliding, undecided; and a way among them.
+// All combinations of one or two joints' values, as a picture: free, colliding, undecided; and a way among them, or
+// what is reached where there is none.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <optional>
+#include <tuple>
+#include <utility>
 #include <variant>
 
 #include "draw/svg_canvas.hpp"
+#include "geometry/box_tree.hpp"
 #include "scene/linkage.hpp"
 #include "scene/untested.hpp"
 #include "taut/error.hpp"
@@ -20,7 +25,10 @@ namespace {
 
 using io::chart_number;
 
-constexpr double left_of_plot = 90, above_plot = 64, strip_height = 60;
+constexpr double left_of_plot = 90, above_plot = 64, strip_height = 60, legend_step = 130;
+
+/// Where the search for a way gets to from its start.
+constexpr const char* reached_colour = "#f3dc93";
 
 /// In the order of CellState. An envelope leaves only borders undecided; a search for a way leaves all that it does not
 /// need.
@@ -31,11 +39,15 @@ constexpr CellState all_states[] = {CellState::free, CellState::colliding, CellS
 
 std::size_t number_of(CellState state) { return static_cast<std::size_t>(state); }
 
-/// Cells of one state in one row are drawn as one rectangle where they are neighbours.
-std::vector<EnvelopeCell> merged(const std::vector<EnvelopeCell>& cells, CellState state) {
+std::vector<EnvelopeCell> of_state(const std::vector<EnvelopeCell>& cells, CellState state) {
   std::vector<EnvelopeCell> some;
   std::copy_if(cells.begin(), cells.end(), std::back_inserter(some),
                [&](const EnvelopeCell& cell) { return cell.state == state; });
+  return some;
+}
+
+/// Cells in one row are drawn as one rectangle where they are neighbours.
+std::vector<EnvelopeCell> merged(std::vector<EnvelopeCell> some) {
   const auto row = [](const EnvelopeCell& c) { return std::tuple(c.lo[1], c.hi[1], c.lo[0]); };
   std::sort(some.begin(), some.end(), [&](const EnvelopeCell& a, const EnvelopeCell& b) { return row(a) < row(b); });
   std::vector<EnvelopeCell> rows;
@@ -51,32 +63,40 @@ std::vector<EnvelopeCell> merged(const std::vector<EnvelopeCell>& cells, CellSta
   return rows;
 }
 
+std::string cells_path(const io::PlotPanel& panel, std::vector<EnvelopeCell> cells, bool strip, const char* what,
+                       const char* colour) {
+  std::string path;
+  for (const EnvelopeCell& cell : merged(std::move(cells))) {
+    const double bottom = strip ? panel.top + panel.height : panel.y(cell.lo[1]);
+    const double top = strip ? panel.top : panel.y(cell.hi[1]);
+    path += fmt::format("M{},{}H{}V{}H{}Z", chart_number(panel.x(cell.lo[0])), chart_number(bottom),
+                        chart_number(panel.x(cell.hi[0])), chart_number(top), chart_number(panel.x(cell.lo[0])));
+  }
+  return fmt::format("<path class=\"{0}\" d=\"{1}\" fill=\"{2}\" stroke=\"{2}\" stroke-width=\"0.4\"/>\n", what, path,
+                     colour);
+}
+
 std::string cells_svg(const io::PlotPanel& panel, const std::vector<EnvelopeCell>& cells, bool strip,
                       const StateColours& colours) {
   std::string s;
-  for (const CellState state : all_states) {
-    std::string path;
-    for (const EnvelopeCell& cell : merged(cells, state)) {
-      const double bottom = strip ? panel.top + panel.height : panel.y(cell.lo[1]);
-      const double top = strip ? panel.top : panel.y(cell.hi[1]);
-      path += fmt::format("M{},{}H{}V{}H{}Z", chart_number(panel.x(cell.lo[0])), chart_number(bottom),
-                          chart_number(panel.x(cell.hi[0])), chart_number(top), chart_number(panel.x(cell.lo[0])));
-    }
-    s += fmt::format("<path class=\"{0}\" d=\"{1}\" fill=\"{2}\" stroke=\"{2}\" stroke-width=\"0.4\"/>\n",
-                     to_string(state), path, colours[number_of(state)]);
-  }
+  for (const CellState state : all_states)
+    s += cells_path(panel, of_state(cells, state), strip, to_string(state), colours[number_of(state)]);
   return s;
+}
+
+std::string legend_entry(double x, double y, const char* colour, const std::string& text) {
+  return fmt::format("<rect x=\"{}\" y=\"{}\" width=\"12\" height=\"12\" fill=\"{}\"/>\n", chart_number(x),
+                     chart_number(y - 10), colour) +
+         io::chart_text(x + 17, y, text);
 }
 
 std::string state_legend(const std::array<double, 3>& shares, double y, const StateColours& colours) {
   std::string s;
   double x = left_of_plot;
   for (const CellState state : all_states) {
-    s += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"12\" height=\"12\" fill=\"{}\"/>\n", chart_number(x),
-                     chart_number(y - 10), colours[number_of(state)]);
-    const double share = shares[number_of(state)];
-    s += io::chart_text(x + 17, y, fmt::format("{} {:.3g} %", to_string(state), 100 * share));
-    x += 160;
+    s += legend_entry(x, y, colours[number_of(state)],
+                      fmt::format("{} {:.3g} %", to_string(state), 100 * shares[number_of(state)]));
+    x += legend_step;
   }
   return s;
 }
@@ -128,12 +148,17 @@ class JointValuesPlot {
   const io::PlotPanel& panel() const { return panel_; }
   bool strip() const { return strip_; }
 
-  std::string svg(const std::string& title, const std::array<double, 3>& shares,
-                  const std::vector<EnvelopeCell>& cells) const {
+  std::string svg(const std::string& title, const std::array<double, 3>& shares, const std::vector<EnvelopeCell>& cells,
+                  const std::vector<EnvelopeCell>& reached = {}) const {
     std::string s = io::chart_head(width_, above_plot + panel_.height + 56, title);
     // Exact signs decide without cells.
     if (!cells.empty()) s += state_legend(shares, 46, colours_);
-    s += cells_svg(panel_, cells, strip_, colours_) + panel_.time_axis(axis_name(linkage_, 0));
+    s += cells_svg(panel_, cells, strip_, colours_);
+    if (!reached.empty()) {
+      s += legend_entry(left_of_plot + 3 * legend_step, 46, reached_colour, "reached");
+      s += cells_path(panel_, reached, strip_, "reached", reached_colour);
+    }
+    s += panel_.time_axis(axis_name(linkage_, 0));
     if (strip_) return s;
     const std::string name = axis_name(linkage_, 1);
     const bool fits = name.size() <= 12;
@@ -174,6 +199,72 @@ JointValues into_range(const PathProblem& problem, JointValues values, JointValu
   }
   return values;
 }
+
+/// Do two cells of a partition have more than a corner in common? Where all others at a corner collide, it does as
+/// well. Cells are written rounded outwards: that much they always have in common.
+bool share_face(const AxisBox& a, const AxisBox& b) {
+  constexpr double rounding = 0x1p-20;
+  const double x = std::min(a.hi_x, b.hi_x) - std::max(a.lo_x, b.lo_x),
+               y = std::min(a.hi_y, b.hi_y) - std::max(a.lo_y, b.lo_y);
+  return x > rounding * std::min(a.width(), b.width()) || y > rounding * std::min(a.height(), b.height());
+}
+
+/// Where there is no way: the cells that a chain of cells that were not shown to collide leads to from the start.
+class ReachedCells {
+ public:
+  ReachedCells(const PathProblem& problem, const std::vector<EnvelopeCell>& cells) : problem_(problem) {
+    std::copy_if(cells.begin(), cells.end(), std::back_inserter(passable_),
+                 [](const EnvelopeCell& cell) { return cell.state != CellState::colliding; });
+    // The cells of a single joint become squares in a row.
+    const bool strip = problem.linkage.joints.size() == 1;
+    for (const EnvelopeCell& c : passable_)
+      boxes_.emplace_back(c.lo[0], strip ? 0 : c.lo[1], c.hi[0], strip ? 1 : c.hi[1]);
+    tree_ = BoxTree(boxes_);
+    seen_.resize(boxes_.size());
+    const Point start{problem.start[0], strip ? 0.5 : problem.start[1]};
+    visit(AxisBox(start, start), [](const AxisBox&) { return true; });
+    while (!front_.empty()) go_on_from(std::exchange(front_, {}));
+  }
+
+  const std::vector<EnvelopeCell>& cells() const { return reached_; }
+
+ private:
+  template <class Joins>
+  void visit(const AxisBox& box, const Joins& joins) {
+    std::vector<int> found;
+    tree_.find(box, found);
+    for (const int i : found) {
+      const auto at = static_cast<std::size_t>(i);
+      if (seen_[at] || !joins(boxes_[at])) continue;
+      seen_[at] = 1;
+      reached_.push_back(passable_[at]);
+      front_.push_back(boxes_[at]);
+    }
+  }
+  void go_on_from(const std::vector<AxisBox>& boxes) {
+    for (const AxisBox& box : boxes) {
+      const auto visit_from = [this](const AxisBox& from) {
+        visit(from, [&from](const AxisBox& to) { return share_face(from, to); });
+      };
+      visit_from(box);
+      // A joint with a period goes on at the other end of its range.
+      for (std::size_t k = 0; k < problem_.linkage.joints.size(); ++k) {
+        const Joint& joint = problem_.linkage.joints[k];
+        if (!problem_.periodic[k]) continue;
+        for (const double by : {joint.hi - joint.lo, joint.lo - joint.hi}) {
+          const double x = k == 0 ? by : 0, y = k == 1 ? by : 0;
+          visit_from({box.lo_x + x, box.lo_y + y, box.hi_x + x, box.hi_y + y});
+        }
+      }
+    }
+  }
+
+  const PathProblem& problem_;
+  std::vector<EnvelopeCell> passable_, reached_;
+  std::vector<AxisBox> boxes_, front_;
+  BoxTree tree_;
+  std::vector<char> seen_;
+};
 
 /// The combinations that are the goal, unless that is outside; a single one is a mark.
 std::string goal_svg(const JointValuesPlot& plot, const PathProblem& problem) {
@@ -234,8 +325,10 @@ std::string envelope_svg(const Linkage& linkage, const Envelope& answer, int wid
 
 std::string path_svg(const PathProblem& problem, const PathAnswer& answer, int width) {
   const JointValuesPlot plot(problem.linkage, width, search_colours);
-  std::string s = plot.svg("Way: " + std::string(to_string(answer.outcome)) + untested_note(answer.coverage),
-                           shares_of(answer.cells, problem.linkage.joints.size()), answer.cells);
+  std::string s = plot.svg(
+      "Way: " + std::string(to_string(answer.outcome)) + untested_note(answer.coverage),
+      shares_of(answer.cells, problem.linkage.joints.size()), answer.cells,
+      answer.outcome == PathOutcome::none ? ReachedCells(problem, answer.cells).cells() : std::vector<EnvelopeCell>());
   if (!answer.waypoints.empty()) s += way_svg(plot, problem, answer.waypoints);
   s += goal_svg(plot, problem) + value_mark(plot.panel(), problem.start, plot.strip(), "start");
   if (answer.tight) s += value_mark(plot.panel(), answer.tight->values, plot.strip(), "tight");

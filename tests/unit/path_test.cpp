@@ -262,6 +262,12 @@ TEST(Path, StartsAndGoalsThatCollide) {
 TEST(Path, MapsOfTwoJoints) {
   const PathProblem reach = read_path_problem("examples/paths/reach.json");
   const std::string none = path_svg(reach, find_path(reach));
+  // What is reached ends where cells collide: it gets to no place at which the shoulder is beyond them.
+  const std::size_t begin = none.find("class=\"reached\""), end = none.find("fill", begin);
+  ASSERT_NE(begin, std::string::npos);
+  const std::string reached = none.substr(begin, end - begin);
+  EXPECT_NE(reached.find("M90,"), std::string::npos) << reached;
+  EXPECT_EQ(reached.find("H696V"), std::string::npos) << reached;
   for (const char* part : {"Way: none", "class=\"colliding\"", "class=\"start\"", "class=\"goal\"", ">shoulder (deg)<"})
     EXPECT_NE(none.find(part), std::string::npos) << part;
   EXPECT_EQ(none.find("class=\"way\""), std::string::npos);
