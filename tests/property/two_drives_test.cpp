@@ -143,7 +143,7 @@ TEST(TwoDrivesOfALoop, CellsAreThoseOfClosedForms) {
   Rng rng(815);
   std::array<int, 3> judged{};
   int near_lock = 0;
-  for (std::uint64_t n = effort(60); n > 0; --n) {
+  for (std::uint64_t n = effort(200); n > 0; --n) {
     const TwoDrives made = made_by(rng);
     const Linkage linkage = with_ranges(made, some_range(rng), some_range(rng));
     EnvelopeOptions options;
