@@ -32,7 +32,8 @@ struct VerifiedPath {
 /// Checks a log, whoever made it: that each cell that it says collides does, for all values in it, and that no chain of
 /// other cells leads from the start to the goal; or that no edge of its polygon can be crossed, and that the start and
 /// the goal are on different sides of it. Throws ProofError if the proof fails, InputError if the problem is not valid.
-/// Uses nothing of the search: src/path, src/joints and src/query.
+/// Uses nothing of the search in src/path, src/joints and src/query. Only the values of loops that several drives move
+/// together are enclosed by code that the search uses as well (src/motion/loop_region.hpp).
 VerifiedPath verify_path(const PathProblem& problem, std::istream& log);
 
 /// Is this the beginning of a log about paths, as far as its first bytes say?

@@ -244,7 +244,9 @@ LoopRegion::Parts LoopRegion::parts_of(const Inside& box) const {
     parts.all_regular = parts.all_regular && nodes_[0].lo[k] <= box.lo[k] && box.hi[k] <= nodes_[0].hi[k];
   for_each_leaf(box.lo, box.hi, [&](int number) {
     const Node& node = nodes_[static_cast<std::size_t>(number)];
-    (node.state == State::regular ? parts.any_regular : parts.all_regular) = node.state == State::regular;
+    const bool regular = node.state == State::regular;
+    parts.any_regular = parts.any_regular || regular;
+    parts.all_regular = parts.all_regular && regular;
     if (touches(node, box.at, box.at)) parts.at_middle = &node;
   });
   return parts;

@@ -1,11 +1,12 @@
 #include "motion/pieces.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
 #include <span>
-#include <sstream>
 #include <utility>
 
 #include "motion/cosine_pieces.hpp"
@@ -149,12 +150,7 @@ double joint_room(const MotionPiece& before, const MotionPiece& after, const Axi
 
 namespace {
 
-std::string number(double x) {
-  std::ostringstream s;
-  s.precision(17);
-  s << x;
-  return s.str();
-}
+std::string number(double x) { return fmt::format("{:.17g}", x); }
 
 class PieceCheck {
  public:

@@ -1,28 +1,18 @@
 #include "motion/rotation_forms.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <sstream>
 #include <vector>
 
 #include "motion/polynomial_search.hpp"
 
 namespace taut::internal {
-namespace {
-
-std::string seventeen_digits(double x) {
-  std::ostringstream s;
-  s.precision(17);
-  s << x;
-  return s.str();
-}
-
-}  // namespace
-
 std::optional<RotationFault> RotationForm<DirectionRotation>::fault(const DirectionRotation& r, double origin,
                                                                     double start, double end) {
   const auto t = common_zero(r.a, r.b, origin, start, end);
   if (!t) return std::nullopt;
-  return RotationFault{"the direction (a, b) vanishes near t = " + seventeen_digits(*t),
+  return RotationFault{fmt::format("the direction (a, b) vanishes near t = {:.17g}", *t),
                        "a direction must have a length at all times of its piece"};
 }
 
@@ -31,9 +21,8 @@ std::optional<RotationFault> RotationForm<CosineRotation>::fault(const CosineRot
   const auto t = beyond_one(r.a, origin, start, end);
   if (!t) return std::nullopt;
   const Ball<double> value = Jet<double>::polynomial(r.a, time_since(Ball<double>::exact(*t), origin)).v;
-  return RotationFault{
-      "the cosine is beyond 1 in magnitude at t = " + seventeen_digits(*t) + ": " + seventeen_digits(value.mid),
-      "a cosine must stay within [-1, 1] at all times of its piece"};
+  return RotationFault{fmt::format("the cosine is beyond 1 in magnitude at t = {:.17g}: {:.17g}", *t, value.mid),
+                       "a cosine must stay within [-1, 1] at all times of its piece"};
 }
 
 Rotation rotation_of_form(std::size_t index) {

@@ -138,6 +138,8 @@ std::array<double, max_joints> JointSpace::effect(const JointCell& cell, const O
   return sum;
 }
 
+/// False if bodies collide in all of the segment. Pairs that are shown to be free are no longer open; where the
+/// mechanism may lock, none is, and smaller parts of the segment are looked at.
 bool JointSpace::is_free_between(const JointCell& segment, OpenPairs& open) const {
   if (pairs_.may_lock(segment).anywhere) return true;
   OpenPairs left;
