@@ -109,6 +109,8 @@ struct EnvelopeCell {
   std::array<BodyId, 2> pair{};  ///< which overlaps, or was not distinguished
   /// Of an undecided cell: not the pair is why, but a mechanism that may lock in it, or does not get there.
   bool may_lock = false;
+  /// Of a search that found that there is no way: cells that were not shown to collide lead here from the start.
+  bool reached = false;
 };
 
 /// A combination at which two bodies overlap.

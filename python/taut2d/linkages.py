@@ -80,13 +80,15 @@ class EnvelopeCell:
     """A box of joint values, from ``lo[k]`` to ``hi[k]`` of joint k. ``state``: "free": for all values in it no pair
     touches; "colliding": for all, the interiors of ``pair`` overlap; "undecided": neither was shown before the box became
     as small as the tolerance. ``may_lock``: of an undecided one, that is not because of a pair but of a mechanism that may
-    lock in it, or does not get there."""
+    lock in it, or does not get there. ``reached``: where there is no way, cells that were not shown to collide lead here from
+    the start."""
 
     state: CellState
     lo: tuple[float, ...]
     hi: tuple[float, ...]
     pair: Optional[tuple[str, str]] = None
     may_lock: bool = False
+    reached: bool = False
 
 
 @dataclass(frozen=True)
@@ -158,7 +160,7 @@ def _plot_cells(cells: Sequence[EnvelopeCell], first: str, second: str, undecide
 
 def _cells_from(value: Any) -> tuple[EnvelopeCell, ...]:
     return tuple(EnvelopeCell(c["state"], tuple(map(float, c["lo"])), tuple(map(float, c["hi"])),
-                              _pair(c["pair"]) if "pair" in c else None, "may_lock" in c) for c in value.get("cells", ()))
+                              _pair(c["pair"]) if "pair" in c else None, "may_lock" in c, "reached" in c) for c in value.get("cells", ()))
 
 
 def _envelope_from_json(text: str) -> Envelope:

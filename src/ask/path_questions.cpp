@@ -38,24 +38,6 @@ void write_tight(AnswerWriter& json, const PathProblem& problem, const TightPlac
   });
 }
 
-void write_cell(AnswerWriter& json, const PathProblem& problem, const EnvelopeCell& cell) {
-  const auto side = [&](const char* name, const JointValues& values) {
-    json.key(name).array([&] {
-      for (std::size_t k = 0; k < problem.linkage.joints.size(); ++k) json.number(values[k]);
-    });
-  };
-  json.object([&] {
-    json.member("state", to_string(cell.state));
-    side("lo", cell.lo);
-    side("hi", cell.hi);
-    if (cell.may_lock) {
-      json.member("may_lock", true);
-    } else if (cell.state != CellState::free) {
-      json.pair("pair", cell.pair);
-    }
-  });
-}
-
 }  // namespace
 }  // namespace taut::internal
 
@@ -87,7 +69,9 @@ std::string path_json(const PathProblem& problem, const PathAnswer& answer, cons
     json.member("tolerance", options.tolerance);
     json.member("cell_count", static_cast<std::uint64_t>(answer.cells.size()));
     json.reason(answer.reason);
-    if (cells) json.key("cells").array(answer.cells, [&](const EnvelopeCell& c) { write_cell(json, problem, c); });
+    if (cells)
+      json.key("cells").array(answer.cells,
+                              [&](const EnvelopeCell& c) { json.cell(c, problem.linkage.joints.size()); });
     json.coverage(answer.coverage);
   });
 }

@@ -15,26 +15,6 @@ namespace {
 using io::answer_text;
 using io::AnswerWriter;
 
-void write_values(AnswerWriter& json, const char* name, const Linkage& linkage,
-                  const std::array<double, max_joints>& values) {
-  json.key(name).array([&] {
-    for (std::size_t k = 0; k < linkage.joints.size(); ++k) json.number(values[k]);
-  });
-}
-
-void write_cell(AnswerWriter& json, const Linkage& linkage, const EnvelopeCell& cell) {
-  json.object([&] {
-    json.member("state", to_string(cell.state));
-    write_values(json, "lo", linkage, cell.lo);
-    write_values(json, "hi", linkage, cell.hi);
-    if (cell.may_lock) {
-      json.member("may_lock", true);
-    } else if (cell.state != CellState::free) {
-      json.pair("pair", cell.pair);
-    }
-  });
-}
-
 void write_colliding(AnswerWriter& json, const Linkage& linkage, const std::optional<EnvelopeWitness>& witness) {
   json.key("witness");
   if (!witness) return json.null();
@@ -69,7 +49,8 @@ std::string envelope_json(const Linkage& linkage, const Envelope& answer, double
     if (answer.may_lock > 0) json.member("may_lock", answer.may_lock);
     json.member("tolerance", tolerance);
     json.reason(answer.reason);
-    if (cells) json.key("cells").array(answer.cells, [&](const EnvelopeCell& c) { write_cell(json, linkage, c); });
+    if (cells)
+      json.key("cells").array(answer.cells, [&](const EnvelopeCell& c) { json.cell(c, linkage.joints.size()); });
     json.coverage(answer.coverage);
   });
 }

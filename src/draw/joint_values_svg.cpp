@@ -12,7 +12,6 @@
 #include <variant>
 
 #include "draw/svg_canvas.hpp"
-#include "geometry/box_tree.hpp"
 #include "scene/linkage.hpp"
 #include "scene/untested.hpp"
 #include "taut/error.hpp"
@@ -39,10 +38,10 @@ constexpr CellState all_states[] = {CellState::free, CellState::colliding, CellS
 
 std::size_t number_of(CellState state) { return static_cast<std::size_t>(state); }
 
-std::vector<EnvelopeCell> of_state(const std::vector<EnvelopeCell>& cells, CellState state) {
+template <class Predicate>
+std::vector<EnvelopeCell> selected(const std::vector<EnvelopeCell>& cells, const Predicate& predicate) {
   std::vector<EnvelopeCell> some;
-  std::copy_if(cells.begin(), cells.end(), std::back_inserter(some),
-               [&](const EnvelopeCell& cell) { return cell.state == state; });
+  std::copy_if(cells.begin(), cells.end(), std::back_inserter(some), predicate);
   return some;
 }
 
@@ -80,7 +79,8 @@ std::string cells_svg(const io::PlotPanel& panel, const std::vector<EnvelopeCell
                       const StateColours& colours) {
   std::string s;
   for (const CellState state : all_states)
-    s += cells_path(panel, of_state(cells, state), strip, to_string(state), colours[number_of(state)]);
+    s += cells_path(panel, selected(cells, [state](const EnvelopeCell& cell) { return cell.state == state; }), strip,
+                    to_string(state), colours[number_of(state)]);
   return s;
 }
 
@@ -200,72 +200,6 @@ JointValues into_range(const PathProblem& problem, JointValues values, JointValu
   return values;
 }
 
-/// Do two cells of a partition have more than a corner in common? Where all others at a corner collide, it does as
-/// well. Cells are written rounded outwards: that much they always have in common.
-bool share_face(const AxisBox& a, const AxisBox& b) {
-  constexpr double rounding = 0x1p-20;
-  const double x = std::min(a.hi_x, b.hi_x) - std::max(a.lo_x, b.lo_x),
-               y = std::min(a.hi_y, b.hi_y) - std::max(a.lo_y, b.lo_y);
-  return x > rounding * std::min(a.width(), b.width()) || y > rounding * std::min(a.height(), b.height());
-}
-
-/// Where there is no way: the cells that a chain of cells that were not shown to collide leads to from the start.
-class ReachedCells {
- public:
-  ReachedCells(const PathProblem& problem, const std::vector<EnvelopeCell>& cells) : problem_(problem) {
-    std::copy_if(cells.begin(), cells.end(), std::back_inserter(passable_),
-                 [](const EnvelopeCell& cell) { return cell.state != CellState::colliding; });
-    // The cells of a single joint become squares in a row.
-    const bool strip = problem.linkage.joints.size() == 1;
-    for (const EnvelopeCell& c : passable_)
-      boxes_.emplace_back(c.lo[0], strip ? 0 : c.lo[1], c.hi[0], strip ? 1 : c.hi[1]);
-    tree_ = BoxTree(boxes_);
-    seen_.resize(boxes_.size());
-    const Point start{problem.start[0], strip ? 0.5 : problem.start[1]};
-    visit(AxisBox(start, start), [](const AxisBox&) { return true; });
-    while (!front_.empty()) go_on_from(std::exchange(front_, {}));
-  }
-
-  const std::vector<EnvelopeCell>& cells() const { return reached_; }
-
- private:
-  template <class Joins>
-  void visit(const AxisBox& box, const Joins& joins) {
-    std::vector<int> found;
-    tree_.find(box, found);
-    for (const int i : found) {
-      const auto at = static_cast<std::size_t>(i);
-      if (seen_[at] || !joins(boxes_[at])) continue;
-      seen_[at] = 1;
-      reached_.push_back(passable_[at]);
-      front_.push_back(boxes_[at]);
-    }
-  }
-  void go_on_from(const std::vector<AxisBox>& boxes) {
-    for (const AxisBox& box : boxes) {
-      const auto visit_from = [this](const AxisBox& from) {
-        visit(from, [&from](const AxisBox& to) { return share_face(from, to); });
-      };
-      visit_from(box);
-      // A joint with a period goes on at the other end of its range.
-      for (std::size_t k = 0; k < problem_.linkage.joints.size(); ++k) {
-        const Joint& joint = problem_.linkage.joints[k];
-        if (!problem_.periodic[k]) continue;
-        for (const double by : {joint.hi - joint.lo, joint.lo - joint.hi}) {
-          const double x = k == 0 ? by : 0, y = k == 1 ? by : 0;
-          visit_from({box.lo_x + x, box.lo_y + y, box.hi_x + x, box.hi_y + y});
-        }
-      }
-    }
-  }
-
-  const PathProblem& problem_;
-  std::vector<EnvelopeCell> passable_, reached_;
-  std::vector<AxisBox> boxes_, front_;
-  BoxTree tree_;
-  std::vector<char> seen_;
-};
-
 /// The combinations that are the goal, unless that is outside; a single one is a mark.
 std::string goal_svg(const JointValuesPlot& plot, const PathProblem& problem) {
   if (problem.goal_outside) return {};
@@ -325,10 +259,9 @@ std::string envelope_svg(const Linkage& linkage, const Envelope& answer, int wid
 
 std::string path_svg(const PathProblem& problem, const PathAnswer& answer, int width) {
   const JointValuesPlot plot(problem.linkage, width, search_colours);
-  std::string s = plot.svg(
-      "Way: " + std::string(to_string(answer.outcome)) + untested_note(answer.coverage),
-      shares_of(answer.cells, problem.linkage.joints.size()), answer.cells,
-      answer.outcome == PathOutcome::none ? ReachedCells(problem, answer.cells).cells() : std::vector<EnvelopeCell>());
+  std::string s = plot.svg("Way: " + std::string(to_string(answer.outcome)) + untested_note(answer.coverage),
+                           shares_of(answer.cells, problem.linkage.joints.size()), answer.cells,
+                           selected(answer.cells, [](const EnvelopeCell& cell) { return cell.reached; }));
   if (!answer.waypoints.empty()) s += way_svg(plot, problem, answer.waypoints);
   s += goal_svg(plot, problem) + value_mark(plot.panel(), problem.start, plot.strip(), "start");
   if (answer.tight) s += value_mark(plot.panel(), answer.tight->values, plot.strip(), "tight");

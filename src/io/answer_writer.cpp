@@ -58,6 +58,25 @@ void AnswerWriter::scope(const std::optional<Touch>& touch) {
   });
 }
 
+void AnswerWriter::cell(const EnvelopeCell& cell, std::size_t joints) {
+  const auto corner = [&](const char* name, const JointValues& values) {
+    key(name).array([&] {
+      for (std::size_t k = 0; k < joints; ++k) number(values[k]);
+    });
+  };
+  object([&] {
+    member("state", to_string(cell.state));
+    corner("lo", cell.lo);
+    corner("hi", cell.hi);
+    if (cell.reached) member("reached", true);
+    if (cell.may_lock) {
+      member("may_lock", true);
+    } else if (cell.state != CellState::free) {
+      pair("pair", cell.pair);
+    }
+  });
+}
+
 void AnswerWriter::pair(const char* name, const std::array<BodyId, 2>& bodies) {
   key(name).array(bodies, [this](BodyId id) { this->name(id); });
 }

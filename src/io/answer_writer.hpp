@@ -9,6 +9,7 @@
 #include "io/json_writer.hpp"
 #include "taut/check.hpp"
 #include "taut/clearance.hpp"
+#include "taut/envelope.hpp"
 #include "taut/scene.hpp"
 #include "taut/tracer.hpp"
 
@@ -36,6 +37,8 @@ class AnswerWriter : public JsonWriter {
   /// Members of that name.
   void time(const char* name, const TimeInterval& t) { member(name, {t.lo, t.hi}); }
   void pair(const char* name, const std::array<BodyId, 2>& bodies);
+  /// An element: a cell of the values of so many joints.
+  void cell(const EnvelopeCell& cell, std::size_t joints);
   /// The angle in degrees of the first body of the pair that sweeps; left out if none does.
   void degrees(const char* name, const std::array<BodyId, 2>& bodies, const TimeInterval& t);
   void vertex(const char* name, const VertexRef& vertex);

@@ -130,7 +130,7 @@ void search(const PathProblem& problem, const PathOptions& options, const OnNone
   } catch (const Interrupted& limit) {
     answer.reason = limit.reason;
   }
-  answer.cells = cells.cells();
+  answer.cells = cells.cells(answer.outcome);
 }
 
 }  // namespace

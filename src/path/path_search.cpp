@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "numeric/budget.hpp"
 #include "path/tight_features.hpp"
@@ -194,11 +195,8 @@ bool PathSearch::may_lock(CellId id) const {
   return tree_[id].state == CellState::undecided && space_.pairs().may_lock(tree_.box(id)).anywhere;
 }
 
-/// Is there a chain from the start to a cell in which the mechanism may lock? Beyond it, the mechanism may be in
-/// another pose than the one that cells are about.
-bool PathSearch::reaches_lock() const {
-  const std::vector<DrivenLoops>& loops = space_.linkage().loops;
-  if (std::none_of(loops.begin(), loops.end(), [](const DrivenLoops& l) { return l.region != nullptr; })) return false;
+/// The leaves to which a chain of cells that were not shown to collide leads from the start.
+std::vector<char> PathSearch::reached() const {
   std::vector<char> reached(tree_.size());
   std::vector<CellId> todo;
   for (CellId id = 0; id < tree_.size(); ++id) {
@@ -208,12 +206,21 @@ bool PathSearch::reaches_lock() const {
   while (!todo.empty()) {
     const CellId id = todo.back();
     todo.pop_back();
-    if (may_lock(id)) return true;
     for (const CellId next : tree_[id].neighbours) {
-      if (reached[next]) continue;
-      reached[next] = 1;
-      todo.push_back(next);
+      if (!std::exchange(reached[next], 1)) todo.push_back(next);
     }
+  }
+  return reached;
+}
+
+/// Is there a chain from the start to a cell in which the mechanism may lock? Beyond it, the mechanism may be in
+/// another pose than the one that cells are about.
+bool PathSearch::reaches_lock() const {
+  const std::vector<DrivenLoops>& loops = space_.linkage().loops;
+  if (std::none_of(loops.begin(), loops.end(), [](const DrivenLoops& l) { return l.region != nullptr; })) return false;
+  const std::vector<char> reached = this->reached();
+  for (CellId id = 0; id < tree_.size(); ++id) {
+    if (reached[id] && may_lock(id)) return true;
   }
   return false;
 }
@@ -250,8 +257,9 @@ void PathSearch::run(PathAnswer& answer) {
   }
 }
 
-std::vector<EnvelopeCell> PathSearch::cells() const {
+std::vector<EnvelopeCell> PathSearch::cells(PathOutcome outcome) const {
   std::vector<EnvelopeCell> all;
+  const std::vector<char> reached = outcome == PathOutcome::none ? this->reached() : std::vector<char>(tree_.size());
   for (CellId id = 0; id < tree_.size(); ++id) {
     const TreeCell& cell = tree_[id];
     if (!cell.is_leaf()) continue;
@@ -260,6 +268,7 @@ std::vector<EnvelopeCell> PathSearch::cells() const {
     if (cell.open && !cell.open->empty()) done.pair = space_.of_scene()[cell.open->front().first];
     const JointCell box = tree_.box(id);
     done.may_lock = may_lock(id);
+    done.reached = reached[id] != 0;
     for (std::size_t k = 0; k < space_.dimension(); ++k) {
       const Joint& joint = problem_.linkage.joints[k];
       done.lo[k] = std::max(joint.lo, box.middle[k] - box.half[k]);

@@ -27,7 +27,7 @@ class PathSearch {
   /// Throws Interrupted at a limit.
   void run(PathAnswer& answer);
   /// The partition as it is.
-  std::vector<EnvelopeCell> cells() const;
+  std::vector<EnvelopeCell> cells(PathOutcome outcome) const;
   CellTree& tree() { return tree_; }
 
  private:
@@ -37,6 +37,7 @@ class PathSearch {
   Chain doubtful_in(const Chain& chain);
   bool divide_some_of(const Chain& chain);
   bool may_lock(CellId id) const;
+  std::vector<char> reached() const;
   bool reaches_lock() const;
   void set_tight(const Chain& chain, PathAnswer& answer) const;
   std::optional<JointValues> start_in(const JointCell& box) const;

@@ -399,6 +399,8 @@ export interface EnvelopeCell {
   pair?: Pair;
   /** Of an undecided cell, instead of the pair: a mechanism may lock in it, or does not get there. */
   may_lock?: boolean;
+  /** Where there is no way: cells that were not shown to collide lead here from the start. */
+  reached?: boolean;
 }
 export interface EnvelopeAnswer {
   id?: Id;
