@@ -8,6 +8,7 @@
 #include "coverage_text.hpp"
 #include "feature_text.hpp"
 #include "io/text.hpp"
+#include "motion/loop_equations.hpp"
 #include "taut/motions.hpp"
 
 namespace taut::cli {
@@ -19,13 +20,8 @@ double value_at(const Drive& drive, double t) {
   const auto holds = [t](const Drive::Piece& piece) { return t < piece.until; };
   const auto found = std::find_if(drive.pieces.begin(), drive.pieces.end(), holds);
   const Drive::Piece& piece = found == drive.pieces.end() ? drive.pieces.back() : *found;
-  if (piece.line) {
-    const auto& [t0, v0, t1, v1] = *piece.line;
-    return v0 + (v1 - v0) * ((t - t0) / (t1 - t0));
-  }
-  double value = 0;
-  for (std::size_t k = piece.polynomial.size(); k-- > 0;) value = value * t + piece.polynomial[k];
-  return value;
+  using Value = internal::Series<double, 0>;
+  return internal::drive_value(piece, Value::constant(t)).c[0].mid;
 }
 
 /// The values of the mechanism's driven joints at a time.
