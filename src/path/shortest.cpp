@@ -16,7 +16,7 @@ constexpr std::size_t most_pieces = 10'000;
 constexpr std::size_t most_waypoints = 100;
 /// So many lengths are tried, each with so many cells.
 constexpr int most_reaches = 12;
-constexpr std::size_t most_cells_of_reach = 20'000;
+constexpr std::uint64_t most_cells_of_reach = 20'000;
 
 JointValues between(const JointValues& a, const JointValues& b, double share) {
   JointValues c{};
