@@ -62,6 +62,10 @@ std::string envelope_in_words(const Linkage& linkage, const Envelope& answer) {
   if (answer.may_lock > 0)
     text +=
         fmt::format("  the mechanism may lock, or does not get there, for {:.6g} % of them\n", 100 * answer.may_lock);
+  if (answer.other_poses)
+    text +=
+        "  cells are about one pose of the mechanism: other ways without a lock, through undecided cells, may lead to\n"
+        "  another pose at the same values\n";
   if (!answer.reason.empty()) text += "  " + answer.reason + "\n";
   return text;
 }

@@ -129,6 +129,10 @@ struct Envelope {
   double free = 0, colliding = 0, undecided = 0;
   /// That share of `undecided` at which a mechanism may lock, or to which it does not get from the drawn pose.
   double may_lock = 0;
+  /// Cells are decided for one pose of the mechanism: the one to which ways through decided cells lead. Are there
+  /// perhaps ways without a lock, through undecided cells, to another pose at the same values? Only of several loops
+  /// that several drives move together.
+  bool other_poses = false;
   /// A partition of all combinations.
   std::vector<EnvelopeCell> cells;
   std::string reason;  ///< why cells larger than the tolerance are undecided, or nothing was tested; empty otherwise

@@ -105,7 +105,8 @@ class Envelope(Verdict):
     ``witness``. "undecided": none was found that collides, and not all were shown to be free. "untested": no pair was
     tested. ``coverage``: which pairs that is about. ``free``, ``colliding``,
     ``undecided``: shares of all combinations; ``may_lock``: that of ``undecided`` at which a mechanism may lock, or to
-    which it does not get. ``cells``: a partition of them, if it was asked for. ``reason``: why it
+    which it does not get. ``other_poses``: cells are decided for one pose of the mechanism, and other ways without a lock,
+    through undecided cells, may lead to another pose at the same values. ``cells``: a partition of them, if it was asked for. ``reason``: why it
     ended early. ``json`` is what ``taut envelope --json`` prints."""
 
     outcome: QuestionOutcome
@@ -114,6 +115,7 @@ class Envelope(Verdict):
     colliding: float
     undecided: float
     may_lock: float
+    other_poses: bool
     tolerance: float
     cells: tuple[EnvelopeCell, ...]
     reason: Optional[str]
@@ -171,7 +173,7 @@ def _envelope_from_json(text: str) -> Envelope:
                     None if witness is None else EnvelopeWitness({name: float(x) for name, x in witness["values"].items()},
                                                                  _pair(witness["pair"])),
                     float(value["free"]), float(value["colliding"]), float(value["undecided"]),
-                    float(value.get("may_lock", 0)), float(value["tolerance"]), cells, value.get("reason"), Coverage(**value["coverage"]), text)
+                    float(value.get("may_lock", 0)), "other_poses" in value, float(value["tolerance"]), cells, value.get("reason"), Coverage(**value["coverage"]), text)
 
 
 def envelope(linkage: Linkage, *, tolerance: float = 1e-3, cells: bool = False,

@@ -77,6 +77,15 @@ def test_errors():
     assert limited.outcome == "undecided" and limited.reason
 
 
+def test_locks_of_two_drives():
+    linkage = taut2d.Linkage.load(examples.parent / "paths" / "five_bar.json")
+    answer = taut2d.envelope(linkage, tolerance=0.1, cells=True)
+    assert 0 < answer.may_lock < answer.undecided and not answer.other_poses
+    assert {cell.state for cell in answer.cells if cell.may_lock} == {"undecided"}
+    said = json.loads(answer.json) | {"other_poses": True}
+    assert taut2d.linkages._envelope_from_json(json.dumps(said)).other_poses
+
+
 def test_plot():
     pyplot = pytest.importorskip("matplotlib.pyplot")
     pyplot.switch_backend("Agg")

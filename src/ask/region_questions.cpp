@@ -47,6 +47,7 @@ std::string envelope_json(const Linkage& linkage, const Envelope& answer, double
     json.member("colliding", answer.colliding);
     json.member("undecided", answer.undecided);
     if (answer.may_lock > 0) json.member("may_lock", answer.may_lock);
+    if (answer.other_poses) json.member("other_poses", true);
     json.member("tolerance", tolerance);
     json.reason(answer.reason);
     if (cells)

@@ -225,6 +225,66 @@ LoopRegion::LoopRegion(LoopEquations equations, std::vector<Range> ranges)
   Builder(*this).run();
 }
 
+namespace {
+
+/// The unknowns of the joints between a loop's two ends; nothing if one of them is not an unknown itself or its
+/// negative, or if two joints have the same one.
+std::optional<std::vector<int>> plain_unknowns_of(const LoopEquations& equations, const LoopEquations::Closure& loop) {
+  if (loop.value) return std::nullopt;
+  std::vector<int> around;
+  for_each_joint_on_path(equations, loop.first, [&](int k) { around.push_back(k); });
+  for_each_joint_on_path(equations, loop.second, [&](int k) {
+    const auto common = std::find(around.begin(), around.end(), k);
+    if (common == around.end()) {
+      around.push_back(k);
+    } else {
+      around.erase(common);
+    }
+  });
+  std::vector<int> unknowns;
+  for (const int k : around) {
+    const std::vector<LinearForm::Term>& terms = equations.joints[static_cast<std::size_t>(k)].value.unknowns;
+    if (terms.empty()) continue;
+    const Ball<double>& factor = terms.front().near;
+    if (terms.size() != 1 || factor.rad != 0 || std::fabs(factor.mid) != 1) return std::nullopt;
+    if (std::find(unknowns.begin(), unknowns.end(), terms.front().of) != unknowns.end()) return std::nullopt;
+    unknowns.push_back(terms.front().of);
+  }
+  return unknowns;
+}
+
+/// Can the loops be solved one after the other, each for two joints of its own and the one that closes it?
+bool is_solved_loop_by_loop(const LoopEquations& equations) {
+  std::vector<std::vector<int>> loops;
+  for (const LoopEquations::Closure& closure : equations.closures) {
+    auto unknowns = plain_unknowns_of(equations, closure);
+    if (!unknowns) return false;
+    loops.push_back(std::move(*unknowns));
+  }
+  std::vector<char> known(static_cast<std::size_t>(equations.unknowns));
+  const auto is_known = [&](int u) { return known[static_cast<std::size_t>(u)] != 0; };
+  while (!loops.empty()) {
+    const auto next = std::find_if(loops.begin(), loops.end(), [&](const std::vector<int>& unknowns) {
+      return unknowns.size() - static_cast<std::size_t>(std::count_if(unknowns.begin(), unknowns.end(), is_known)) == 2;
+    });
+    if (next == loops.end()) return false;
+    for (const int u : *next) known[static_cast<std::size_t>(u)] = 1;
+    loops.erase(next);
+  }
+  return true;
+}
+
+}  // namespace
+
+bool LoopRegion::has_one_pose() const {
+  int varied = 0;
+  for (std::size_t k = 0; k < ranges_.size(); ++k) varied += nodes_[0].lo[k] < nodes_[0].hi[k];
+  if (varied < 2 || is_solved_loop_by_loop(equations_)) return true;
+  return std::all_of(nodes_.begin(), nodes_.end(), [](const Node& node) {
+    return node.state == State::divided || node.state == State::regular;
+  });
+}
+
 LoopRegion::Inside LoopRegion::inside(const Values& middle, const Values& half) const {
   Inside box;
   for (std::size_t k = 0; k < ranges_.size(); ++k) {

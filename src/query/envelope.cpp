@@ -158,6 +158,9 @@ class EnvelopeSearch {
 
   void conclude() {
     if (!answer_.witness) look_at_middles();
+    answer_.other_poses = std::any_of(linkage_.loops.begin(), linkage_.loops.end(), [](const DrivenLoops& loops) {
+      return loops.region && !loops.region->has_one_pose();
+    });
     answer_.outcome = answer_.witness ? Outcome::contact : answer_.undecided > 0 ? Outcome::undecided : Outcome::free;
   }
   /// What collides may be thinner than the tolerance: single combinations decide.

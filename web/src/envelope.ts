@@ -109,10 +109,12 @@ class EnvelopeViewer {
   /** The legend of the map, with how much of it there is of each kind. */
   private shares(): HTMLElement[] {
     const states: CellState[] = ["free", "colliding", "undecided"];
-    return states.map((state) => {
+    const shares = states.map((state) => {
       const percent = `${roundText(100 * this.data.envelope[state], 3)} %`;
       return h("span", { class: `state ${state}` }, h("i"), `${state} ${percent}`);
     });
+    if (!this.data.envelope.other_poses) return shares;
+    return [...shares, h("span", {}, "Cells are about one pose; other ways without a lock may lead to another one.")];
   }
 
   private async copy(): Promise<void> {

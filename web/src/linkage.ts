@@ -50,6 +50,8 @@ export interface EnvelopePage {
     free: number;
     colliding: number;
     undecided: number;
+    /** Other ways without a lock may lead to another pose than the one that cells are about. */
+    other_poses?: boolean;
     cells: Cell[];
   };
   bodies: LinkedBody[];

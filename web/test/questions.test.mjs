@@ -16,6 +16,12 @@ import {
 
 const site = duringTests();
 
+/** Changes a box of a question. By the keyboard, as answers that come meanwhile move what is below them. */
+async function toggle(page, name) {
+  await page.focus(`#ask-${name}`);
+  await page.keyboard.press("Space");
+}
+
 /** Without the angles of sweeps, which compiled motions do not tell. */
 const ask = (...args) =>
   JSON.parse(run(...args, "--json"), (key, value) =>
@@ -161,7 +167,7 @@ test("in the playground questions are chosen, answered anew after a change, and 
   await answered(page);
   const before = await page.evaluate(() => window.taut.player.end);
   const all = ["intervals", "clearance", "check_clearance", "range", "distance_profile", "separate"];
-  for (const name of all) await page.check(`#ask-${name}`);
+  for (const name of all) await toggle(page, name);
   await answered(page);
   await settled(page);
   const { intervals, clearance } = await answers(page);
@@ -178,7 +184,7 @@ test("in the playground questions are chosen, answered anew after a change, and 
   assert.match(await page.textContent("#answer-intervals"), /They never overlap/);
   const now = (await answers(page)).clearance.clearance;
   assert.ok(now.lo >= 0 && now.t[1] <= 100);
-  for (const name of all) await page.uncheck(`#ask-${name}`);
+  for (const name of all) await toggle(page, name);
   await settled(page);
   assert.ok(!(await page.isVisible("#lane-intervals")) && !(await page.isVisible("#lane-distance")));
   assert.equal(await page.textContent("#answer-separate"), "");
@@ -191,7 +197,7 @@ test("a clearance to be kept, and how far bodies can go from the instant shown",
   await page.selectOption("#example", "lid");
   await answered(page);
   await page.evaluate(() => window.taut.player.seek(50));
-  for (const name of ["check_clearance", "range", "distance_profile"]) await page.check(`#ask-${name}`);
+  for (const name of ["check_clearance", "range", "distance_profile"]) await toggle(page, name);
   await page.fill("#margin", "2.5");
   await page.press("#margin", "Enter");
   await answered(page);

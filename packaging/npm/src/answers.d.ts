@@ -414,6 +414,11 @@ export interface EnvelopeAnswer {
   undecided: number;
   /** That share of `undecided` at which a mechanism may lock, or to which it does not get; if there is one. */
   may_lock?: number;
+  /**
+   * Cells are decided for one pose of the mechanism. Other ways without a lock, through undecided cells, may lead to
+   * another pose at the same values; of several loops that several drives move together.
+   */
+  other_poses?: boolean;
   tolerance: number;
   reason?: string;
   cells?: EnvelopeCell[];
