@@ -17,20 +17,32 @@ constexpr double rounding_share = 0x1p-48;
 
 double magnitude(Vector v) { return std::sqrt(dot(v, v)) * up; }
 
-}  // namespace
-
-double JointModel::swing() const {
-  double sum = error;
-  for (const Vector& r : rate) sum += magnitude(r);
+/// How far the linear part leads from the middle's value, at most.
+double linear_swing(const JointModel& a) {
+  double sum = 0;
+  for (const Vector& r : a.rate) {
+    if (r.x != 0 || r.y != 0) sum += magnitude(r);
+  }
   return sum * up;
 }
+
+/// No less than all magnitudes, without a root: what rounds is small.
+double rough_reach(const JointModel& a) {
+  double sum = l1_norm(a.value) + a.error;
+  for (const Vector& r : a.rate) sum += l1_norm(r);
+  return sum * up;
+}
+
+}  // namespace
+
+double JointModel::swing() const { return (linear_swing(*this) + error) * up; }
 
 double JointModel::reach() const { return (magnitude(value) + swing()) * up; }
 
 JointModel operator+(const JointModel& a, const JointModel& b) {
   JointModel c{a.value + b.value, {}, 0};
   for (std::size_t k = 0; k < c.rate.size(); ++k) c.rate[k] = a.rate[k] + b.rate[k];
-  c.error = (a.error + b.error + rounding_share * (a.reach() + b.reach())) * up;
+  c.error = (a.error + b.error + rounding_share * (rough_reach(a) + rough_reach(b))) * up;
   return c;
 }
 
@@ -44,13 +56,10 @@ JointModel operator-(const JointModel& a, const JointModel& b) {
 /// What is left out are products of two deviations from the middles.
 JointModel operator*(const JointModel& a, const JointModel& b) {
   JointModel c{a.value * b.value, {}, 0};
-  double first = 0, second = 0;
-  for (std::size_t k = 0; k < c.rate.size(); ++k) {
-    c.rate[k] = a.value * b.rate[k] + a.rate[k] * b.value;
-    first += magnitude(a.rate[k]);
-    second += magnitude(b.rate[k]);
-  }
-  const double reach_a = a.reach(), reach_b = b.reach();
+  for (std::size_t k = 0; k < c.rate.size(); ++k) c.rate[k] = a.value * b.rate[k] + a.rate[k] * b.value;
+  const double first = linear_swing(a), second = linear_swing(b);
+  const double reach_a = (magnitude(a.value) + first + a.error) * up,
+               reach_b = (magnitude(b.value) + second + b.error) * up;
   c.error = (first * second + reach_a * b.error + a.error * reach_b + rounding_share * reach_a * reach_b) * up;
   return c;
 }

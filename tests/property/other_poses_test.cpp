@@ -126,7 +126,7 @@ TEST(OtherPoses, AreSaidOfAPlatformThatChangesItsPose) {
 TEST(OtherPoses, AreNoneOfLoopsThatAreSolvedOneAfterTheOther) {
   Rng rng(3);
   int may_lock = 0;
-  for (std::uint64_t n = effort(30); n > 0; --n) {
+  for (std::uint64_t n = effort(12); n > 0; --n) {
     const TwoDrives made(
         rng, rng.pick(std::vector{TwoDrives::Kind::bars, TwoDrives::Kind::slide, TwoDrives::Kind::two_loops}));
     if (!(made.margin(0, 0) > 0.05L)) continue;
@@ -139,7 +139,7 @@ TEST(OtherPoses, AreNoneOfLoopsThatAreSolvedOneAfterTheOther) {
     EXPECT_FALSE(answer.other_poses) << n;
     may_lock += answer.may_lock > 0;
   }
-  EXPECT_GT(may_lock, static_cast<int>(enough(2)));
+  EXPECT_GE(may_lock, static_cast<int>(enough(3)));
 }
 
 }  // namespace
