@@ -1,4 +1,5 @@
-"""The library's layers depend on those that CMakeLists.txt names, and on no others; nor does the verifier use an engine.
+"""The library's layers depend on those that CMakeLists.txt names, and on no others; nor does the verifier use an engine. No
+headers include each other.
 
 usage: layers_test.py PROJECT
 
@@ -47,7 +48,22 @@ def sources(folder):
     return sorted([*folder.glob("*.cpp"), *folder.glob("*.hpp")])
 
 
+def cycles(project):
+    """Headers that include each other: which of them comes first decides whether a file compiles by itself."""
+    roots = [project / "src", project / "include", project / "apps"]
+    headers = {h.relative_to(root).as_posix(): h for root in roots for h in root.rglob("*.hpp")}
+    left = {name: set(includes(file)) & headers.keys() for name, file in headers.items()}
+    while free := [name for name, needs in left.items() if not needs]:
+        for name in free:
+            del left[name]
+        for needs in left.values():
+            needs.difference_update(free)
+    return sorted(left)
+
+
 def faults(project):
+    for name in cycles(project):
+        yield f"{name} includes itself, through others, or includes headers that do"
     uses = layers_of((project / "CMakeLists.txt").read_text())
     if len(uses) < 10:
         yield "CMakeLists.txt: no layers found"

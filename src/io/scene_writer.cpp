@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "io/json_writer.hpp"
+#include "motion/rotation_forms.hpp"
 #include "scene/mechanism_lock.hpp"
 #include "taut/io.hpp"
 #include "taut/shape.hpp"

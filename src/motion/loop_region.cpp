@@ -280,9 +280,8 @@ bool LoopRegion::has_one_pose() const {
   int varied = 0;
   for (std::size_t k = 0; k < ranges_.size(); ++k) varied += nodes_[0].lo[k] < nodes_[0].hi[k];
   if (varied < 2 || is_solved_loop_by_loop(equations_)) return true;
-  return std::all_of(nodes_.begin(), nodes_.end(), [](const Node& node) {
-    return node.state == State::divided || node.state == State::regular;
-  });
+  return std::all_of(nodes_.begin(), nodes_.end(),
+                     [](const Node& node) { return node.state == State::divided || node.state == State::regular; });
 }
 
 LoopRegion::Inside LoopRegion::inside(const Values& middle, const Values& half) const {

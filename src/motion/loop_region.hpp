@@ -46,9 +46,9 @@ class LoopRegion {
   /// Is the straight way from the drawn pose to these values in the region? It is how a mechanism gets to where its
   /// drives begin.
   bool has_straight_way(const Values& to) const;
-  /// Can no way without a lock, which may leave the region and come back, lead to another pose than the region's? Not if
-  /// the region is all of the box, if only one value varies, or if the loops can be solved one after the other, for two
-  /// links each: such a loop has at most two poses, and the sign of its Jacobian tells which. False: not known.
+  /// Can no way without a lock, which may leave the region and come back, lead to another pose than the region's? Not
+  /// if the region is all of the box, if only one value varies, or if the loops can be solved one after the other, for
+  /// two links each: such a loop has at most two poses, and the sign of its Jacobian tells which. False: not known.
   bool has_one_pose() const;
 
  private:

@@ -5,6 +5,7 @@
 #include <deque>
 
 #include "joints/linked_pairs.hpp"
+#include "motion/loop_region.hpp"
 #include "numeric/budget.hpp"
 #include "query/cell_pair.hpp"
 #include "scene/untested.hpp"

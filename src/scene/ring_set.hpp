@@ -18,7 +18,6 @@
 #include "geometry/predicates.hpp"
 #include "geometry/prepared_shape.hpp"
 #include "numeric/budget.hpp"
-#include "scene/body_pair.hpp"
 #include "taut/feature.hpp"
 #include "taut/scene.hpp"
 

@@ -8,7 +8,6 @@
 
 #include "spacetime/hierarchy.hpp"
 #include "spacetime/stretch.hpp"
-#include "spacetime/walk.hpp"
 
 namespace taut::internal::spacetime {
 
