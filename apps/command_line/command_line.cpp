@@ -10,6 +10,7 @@
 #include <type_traits>
 
 #include "io/json_object.hpp"
+#include "scene/names.hpp"
 
 namespace taut::cli {
 using namespace internal;
@@ -147,7 +148,7 @@ std::string nearest_option(const CLI::App& command, const std::string& word) {
   for (const CLI::Option* option : command.get_options()) {
     for (const std::string& name : option->get_lnames()) known.push_back(name);
   }
-  const std::string name = word.substr(2, word.find('=') - 2), near = io::nearest_word(name, known);
+  const std::string name = word.substr(2, word.find('=') - 2), near = nearest_word(name, known);
   return near.empty() ? "" : "--" + near;
 }
 
@@ -179,7 +180,7 @@ std::string usage_problem(const CLI::App& app, const CLI::ParseError& error, int
       known.push_back(inner->get_name());
       all += (all.empty() ? "" : ", ") + inner->get_name();
     }
-    const std::string word = argc > 2 ? argv[2] : "", near = io::nearest_word(word, known);
+    const std::string word = argc > 2 ? argv[2] : "", near = nearest_word(word, known);
     if (!word.empty() && word[0] != '-')
       return "unknown kind \"" + word + "\"\nhint: " + (near.empty() ? "one of " + all : "did you mean " + near + "?");
     return "what is wanted is missing\nhint: one of " + all;

@@ -16,6 +16,7 @@
 #include "io/json_object.hpp"
 #include "io/text.hpp"
 #include "io/text_file.hpp"
+#include "scene/names.hpp"
 #include "taut/error.hpp"
 #include "taut/validate.hpp"
 
@@ -42,7 +43,7 @@ void require_known(const Drawing& drawing, const std::vector<std::string>& names
   for (const std::string& name : drawing.layer_names) known += (known.empty() ? "" : ", ") + io::excerpt(name);
   for (const std::string& name : names) {
     if (names_layer(drawing.layer_names, name)) continue;
-    const std::string near = io::nearest_word(name, drawing.layer_names);
+    const std::string near = nearest_word(name, drawing.layer_names);
     throw InputError(option, drawing.file + " has no layer \"" + io::excerpt(name) + "\"",
                      known.empty() ? "leave the option out"
                                    : (near.empty() ? "" : "did you mean \"" + io::excerpt(near) + "\"? ") +

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "io/json_object.hpp"
+#include "scene/names.hpp"
 #include "taut/error.hpp"
 
 namespace taut::cli {
@@ -10,16 +10,10 @@ namespace {
 
 bool moves(const Body& body) { return !body.motion.pieces.empty() || !body.relative_to.empty(); }
 
-/// What may be meant, and all that there are.
-std::string names_of(const Scene& scene, const std::string& name) {
-  std::vector<std::string> names;
+std::string names_of(const Scene& scene) {
   std::string all;
-  for (const Body& body : scene.bodies) {
-    names.push_back(body.name);
-    all += (all.empty() ? "\"" : ", \"") + body.name + "\"";
-  }
-  const std::string near = internal::io::nearest_word(name, names);
-  return (near.empty() ? "" : fmt::format("did you mean \"{}\"? ", near)) + "the scene has " + all;
+  for (const Body& body : scene.bodies) all += (all.empty() ? "\"" : ", \"") + body.name + "\"";
+  return all;
 }
 
 }  // namespace
@@ -36,8 +30,9 @@ BodyId chosen_body(const Scene& scene, const std::string& name) {
   }
   if (found >= 0) return found;
   if (name.empty() && scene.bodies.size() == 1) return 0;
-  throw InputError("--body", name.empty() ? "no body moves" : fmt::format("there is no body \"{}\"", name),
-                   names_of(scene, name));
+  const std::string hint = "the scene has " + names_of(scene);
+  if (name.empty()) throw InputError("--body", "no body moves", hint);
+  throw internal::no_such_body(scene.bodies, name, "--body", "", hint);
 }
 
 }  // namespace taut::cli

@@ -11,6 +11,7 @@
 #include "io/json_object.hpp"
 #include "io/platform.hpp"
 #include "io/text_file.hpp"
+#include "scene/names.hpp"
 #include "taut/error.hpp"
 #include "taut/simulation.hpp"
 #include "terminal.hpp"
@@ -30,7 +31,7 @@ void require_known_command(const taut::cli::Command& taut, int argc, char** argv
   const std::vector<std::string> known = taut.command_names();
   const std::string word = argv[1];
   if (std::find(known.begin(), known.end(), word) != known.end()) return;
-  const std::string near = taut::internal::io::nearest_word(word, known);
+  const std::string near = taut::internal::nearest_word(word, known);
   throw taut::InputError("", fmt::format("unknown command \"{}\"", taut::internal::io::excerpt(word)),
                          near.empty() ? "see `taut --help`" : fmt::format("did you mean `taut {}`?", near));
 }

@@ -5,6 +5,7 @@
 
 #include "ask/question.hpp"
 #include "io/json_writer.hpp"
+#include "scene/names.hpp"
 #include "taut/error.hpp"
 #include "taut/io.hpp"
 
@@ -31,7 +32,7 @@ const QuestionEntry* find_entry(const std::string& name) {
 
 const QuestionEntry& entry_of(const std::string& name) {
   if (const QuestionEntry* entry = find_entry(name)) return *entry;
-  const std::string near = io::nearest_word(name, question_names());
+  const std::string near = nearest_word(name, question_names());
   throw InputError("question", "there is no question " + io::string_text(name),
                    near.empty() ? "ask check, or another one" : "did you mean " + near + "?");
 }

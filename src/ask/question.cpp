@@ -7,6 +7,7 @@
 #include "io/json_object.hpp"
 #include "io/json_writer.hpp"
 #include "io/text.hpp"
+#include "scene/names.hpp"
 #include "taut/error.hpp"
 
 namespace taut::internal {
@@ -167,7 +168,7 @@ BodyId body_called(const Scene& scene, const std::string& name) {
   if (found != scene.bodies.end()) return static_cast<BodyId>(found - scene.bodies.begin());
   std::string names;
   for (const Body& body : scene.bodies) names += (names.empty() ? "" : ", ") + body.name;
-  throw InputError("body", "there is no body " + io::string_text(name), "the scene has " + names);
+  throw no_such_body(scene.bodies, name, "body", "", "the scene has " + names);
 }
 
 }  // namespace taut::internal

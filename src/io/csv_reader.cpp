@@ -6,6 +6,7 @@
 #include "io/motion_reader.hpp"
 #include "io/text.hpp"
 #include "io/text_file.hpp"
+#include "scene/names.hpp"
 #include "taut/error.hpp"
 
 namespace taut::internal::io {

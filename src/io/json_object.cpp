@@ -1,33 +1,13 @@
 #include "io/json_object.hpp"
 
 #include <algorithm>
-#include <cctype>
 
 #include "io/text.hpp"
 #include "io/text_file.hpp"
+#include "scene/names.hpp"
 
 namespace taut::internal::io {
 namespace {
-
-std::string lower_case(std::string s) {
-  for (char& c : s) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return s;
-}
-
-std::size_t edit_distance(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t above = row[j];
-      row[j] = std::min({above + 1, row[j - 1] + 1, diagonal + (a[i - 1] == b[j - 1] ? 0 : 1)});
-      diagonal = above;
-    }
-  }
-  return row.back();
-}
 
 /// What other formats call it, in the words of this one. Each stands for a key that is known where it is meant.
 std::string translated(const std::string& key, const std::vector<std::string>& known) {
@@ -55,24 +35,6 @@ std::string hint_for_unknown(const std::string& key, const std::vector<std::stri
 
 std::string element_path(const std::string& path, std::size_t index) {
   return path + "[" + std::to_string(index) + "]";
-}
-
-std::string nearest_word(const std::string& word, const std::vector<std::string>& known) {
-  if (word.size() < 3 || word.size() > 40) return "";
-  // "angle" is meant for "angle_deg", whatever the distance.
-  for (const std::string& candidate : known) {
-    if (candidate.compare(0, word.size() + 1, lower_case(word) + "_") == 0) return candidate;
-  }
-  std::string best;
-  std::size_t best_distance = word.size() / 3 + 2;
-  for (const std::string& candidate : known) {
-    const std::size_t distance = edit_distance(lower_case(word), candidate);
-    if (distance < best_distance) {
-      best = candidate;
-      best_distance = distance;
-    }
-  }
-  return best;
 }
 
 std::string hint_for_name(const std::string& word, const std::vector<std::string>& known) {

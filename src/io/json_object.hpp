@@ -39,8 +39,6 @@ bool has_ranges(const JsonDocument& document);
 /// The index after the path: "bodies" and 1 make "bodies[1]".
 std::string element_path(const std::string& path, std::size_t index);
 
-/// The word of `known` that `word` is most likely a slip of; empty if none is near.
-std::string nearest_word(const std::string& word, const std::vector<std::string>& known);
 /// A hint for a name that is none of `known`: the one that is meant, or all there are.
 std::string hint_for_name(const std::string& word, const std::vector<std::string>& known);
 

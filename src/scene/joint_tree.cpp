@@ -7,6 +7,7 @@
 
 #include "geometry/predicates.hpp"
 #include "scene/mechanism.hpp"
+#include "scene/names.hpp"
 #include "taut/error.hpp"
 
 namespace taut::internal {
@@ -74,7 +75,7 @@ class TreeBuilder {
   int body_named(const std::string& name, const std::string& place) const {
     const auto found = names_.find(name);
     if (found != names_.end()) return found->second;
-    throw InputError(place, "there is no body \"" + name + "\"", "write the name of a body of the scene");
+    throw no_such_body(scene_.bodies, name, place, "", "write the name of a body of the scene");
   }
 
   /// As for coordinates of outlines.

@@ -9,6 +9,7 @@
 
 #include "motion/polynomial_search.hpp"
 #include "numeric/budget.hpp"
+#include "scene/names.hpp"
 #include "scene/untested.hpp"
 #include "taut/error.hpp"
 
@@ -42,14 +43,15 @@ void validate_margin(const Margin& margin, const std::string& place, double star
 /// A pair by the bodies' numbers, the smaller one first; -1 is every other body.
 using NumberedPair = std::pair<int, int>;
 
-NumberedPair numbered(const PairClearance& entry, const std::map<std::string, int>& by_name, const std::string& place) {
+NumberedPair numbered(const Scene& scene, const PairClearance& entry, const std::map<std::string, int>& by_name,
+                      const std::string& place) {
   std::array<int, 2> ids{};
   for (std::size_t side = 0; side < 2; ++side) {
     const std::string& name = entry.pair[side];
     const auto found = by_name.find(name);
     if (name != "*" && found == by_name.end())
-      throw InputError(place, "there is no body \"" + name + "\"",
-                       "write names of bodies of the scene, or \"*\" for every other one");
+      throw no_such_body(scene.bodies, name, place, "",
+                         "write names of bodies of the scene, or \"*\" for every other one");
     ids[side] = name == "*" ? -1 : found->second;
   }
   if (ids[0] == ids[1] && ids[0] >= 0)
@@ -65,7 +67,7 @@ Entries entries_of(const Scene& scene) {
   const std::map<std::string, int> by_name = bodies_by_name(scene);
   Entries entries;
   for (std::size_t k = 0; k < scene.clearances.size(); ++k) {
-    const auto [at, added] = entries.emplace(numbered(scene.clearances[k], by_name, entry_name(k)), k);
+    const auto [at, added] = entries.emplace(numbered(scene, scene.clearances[k], by_name, entry_name(k)), k);
     if (!added)
       throw InputError(entry_name(k), "it is about the same pair as " + entry_name(at->second),
                        "write one clearance for each pair");

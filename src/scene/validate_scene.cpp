@@ -14,6 +14,7 @@
 #include "motion/pieces.hpp"
 #include "scene/curved_world.hpp"
 #include "scene/joined_parts.hpp"
+#include "scene/names.hpp"
 #include "scene/pair_margins.hpp"
 #include "scene/ring_set.hpp"
 #include "taut/error.hpp"
@@ -109,8 +110,8 @@ void validate_parents(const Scene& scene, const Names& names) {
     for (int depth = 0; !link->relative_to.empty(); ++depth) {
       const auto parent = names.find(link->relative_to);
       if (parent == names.end())
-        throw InputError(link->name, "there is no body \"" + link->relative_to + "\" for it to be relative to",
-                         "`relative_to` is the name of another body of the scene");
+        throw no_such_body(scene.bodies, link->relative_to, link->name, " for it to be relative to",
+                           "`relative_to` is the name of another body of the scene");
       link = &scene.bodies[static_cast<std::size_t>(parent->second)];
       if (link == &body)
         throw InputError(body.name, "it is relative to itself, through its parents", "chains must end");
@@ -125,8 +126,8 @@ void validate_ignored(const Scene& scene, const Names& names) {
   for (std::size_t i = 0; i < scene.ignore.size(); ++i) {
     for (const std::string& name : scene.ignore[i]) {
       if (name != "*" && names.count(name) == 0)
-        throw InputError("ignore[" + std::to_string(i) + "]", "there is no body \"" + name + "\"",
-                         "write names of bodies of the scene, or \"*\" for every other one");
+        throw no_such_body(scene.bodies, name, "ignore[" + std::to_string(i) + "]", "",
+                           "write names of bodies of the scene, or \"*\" for every other one");
     }
     if (scene.ignore[i][0] == scene.ignore[i][1] && scene.ignore[i][0] != "*")
       throw InputError("ignore[" + std::to_string(i) + "]", "it pairs \"" + scene.ignore[i][0] + "\" with itself",
