@@ -30,7 +30,12 @@ class TriangulationSweep {
     rank_.resize(total);
     for (std::uint32_t i = 0; i < total; ++i) rank_[order[i].value] = i;
     slot_of_.assign(total, SweepStatus::nil);
+    // Few vertices have more than one node, and there are fewer than twice as many diagonals as vertices.
+    nodes_.reserve(2 * std::size_t{total});
+    link_half_.reserve(3 * std::size_t{total});
     link_half_.assign(total, none);
+    status_.reserve(std::min(total, small));
+    chains_.reserve(std::min(total, small));
     const std::size_t triangles = static_cast<std::size_t>(total) + 8;
     out_.origin.clear();
     out_.twin.clear();
@@ -47,6 +52,8 @@ class TriangulationSweep {
 
  private:
   using Slot = SweepStatus::Slot;
+  /// A sweep line that crosses no more edges at once does not grow its buffers.
+  static constexpr std::uint32_t small = 64;
 
   std::vector<VertexId> sorted_vertices(std::uint32_t total) const {
     struct Keyed {

@@ -10,7 +10,12 @@ namespace {
 /// The funnel algorithm (Lee and Preparata, Chazelle) with reusable storage.
 class Funnel {
  public:
-  Funnel(const Placement& placement, const FreeTriangulation& t) : place_(placement), triangulation_(t) {}
+  /// Room for `room` vertices on each side from the outset.
+  Funnel(const Placement& placement, const FreeTriangulation& t, std::size_t room)
+      : place_(placement), triangulation_(t) {
+    left_.v.reserve(room);
+    right_.v.reserve(room);
+  }
 
   /// The shortest path from a to b through the diagonals; `path` gets all its vertices.
   void run(VertexId a, VertexId b, const std::uint32_t* first, const std::uint32_t* last, std::vector<VertexId>& path) {
@@ -65,7 +70,14 @@ class Builder {
   /// Of a whole body.
   Builder(const Placement& placement, const FreeTriangulation& t, const ChainTree& tree, std::uint32_t first,
           PlanarMap& map)
-      : triangulation_(t), tree_(tree), first_(first), ring_(tree.leaves()), map_(map), funnel_(placement, t) {}
+      : triangulation_(t),
+        tree_(tree),
+        first_(first),
+        ring_(tree.leaves()),
+        map_(map),
+        funnel_(placement, t, std::min(ring_, small)) {
+    reserve();
+  }
   /// Of the open nodes of an outline.
   Builder(const Placement& placement, const FreeTriangulation& t, const ChainTree& tree, const ShapeOutline& outline,
           const std::vector<VertexId>& vertices, std::uint32_t first, PlanarMap& map)
@@ -74,9 +86,11 @@ class Builder {
         first_(first),
         ring_(static_cast<std::uint32_t>(outline.edges.size())),
         map_(map),
-        funnel_(placement, t),
+        funnel_(placement, t, std::min(ring_, small)),
         outline_(&outline),
-        vertices_(&vertices) {}
+        vertices_(&vertices) {
+    reserve();
+  }
 
   std::vector<HalfedgeId> run() {
     build(tree_.root());
@@ -96,6 +110,17 @@ class Builder {
   }
 
  private:
+  /// The buffers of bodies with up to so many vertices do not grow: that would cost them a quarter of their tiling.
+  static constexpr std::uint32_t small = 64;
+
+  void reserve() {
+    const std::size_t room = std::min(ring_, small);
+    paths_.reserve(room);
+    sleeves_.reserve(2 * room);
+    path_.reserve(room + 1);
+    top_.reserve(room);
+    kept_.reserve(room);
+  }
   VertexId vertex(std::uint32_t i) const { return VertexId(first_ + i % ring_); }
   bool is_leaf(ChainNode n) const { return outline_ ? !outline_->open[tree_.heap(n)] : tree_.is_leaf(n); }
 

@@ -180,9 +180,12 @@ class Joiner {
     const BoxedTree tree_p{p_.tree, p_.boxes, place_.pose_p()}, tree_q{q_.tree, q_.boxes, place_.pose_q()};
     const std::size_t most_p = in_any_case ? geometry_.np : worthwhile(geometry_.np);
     const std::size_t most_q = in_any_case ? geometry_.nq : worthwhile(geometry_.nq);
-    const NodeSet near_p = near_nodes(tree_p, tree_q, margin, most_p);
+    const bool boxes_apart = !near(p_.boxes[1], tree_p.pose, q_.boxes[1], tree_q.pose, margin);
+    NodeSet near_p;
+    if (!boxes_apart) near_p = near_nodes(tree_p, tree_q, margin, most_p);
     // Hulls that meet, though no part of one body is within the other's, would cut one of them in two.
-    const bool apart = near_p.size == 0 ? near_nodes(tree_q, tree_p, margin, 0).size == 0 : rest_apart(near_p.size);
+    const bool apart =
+        boxes_apart || (near_p.size == 0 ? near_nodes(tree_q, tree_p, margin, 0).size == 0 : rest_apart(near_p.size));
     NodeSet near_q;
     if (!apart) {
       if (near_p.size > most_p) return std::nullopt;

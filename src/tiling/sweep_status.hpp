@@ -14,7 +14,10 @@ class SweepStatus {
   static constexpr Slot nil = 0;
 
   SweepStatus() : slots_(1) {}
-  void reserve(std::size_t n) { slots_.reserve(n); }
+  void reserve(std::size_t n) {
+    slots_.reserve(n + 1);
+    free_.reserve(n);
+  }
 
   std::uint32_t edge(Slot s) const { return slots_[s].edge; }
   void set_edge(Slot s, std::uint32_t e) { slots_[s].edge = e; }
