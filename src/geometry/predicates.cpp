@@ -52,6 +52,17 @@ double distance_squared(const Point& a, const Point& b) {
   return dx * dx + dy * dy;
 }
 
+/// Of so few points, all pairs cost less than their hull.
+constexpr std::size_t few_points = 16;
+
+double diameter_squared_of_all(const std::vector<Point>& points) {
+  double best = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) best = std::max(best, distance_squared(points[i], points[k]));
+  }
+  return best;
+}
+
 /// Appends `next` to a chain whose turns are to stay strictly left; the first `fixed` indices are never dropped.
 void extend_chain(const std::vector<Point>& points, std::size_t fixed, int next, std::vector<int>& chain) {
   while (chain.size() > fixed &&
@@ -74,6 +85,7 @@ std::vector<int> convex_hull(const std::vector<Point>& points) {
   if (order.size() < 2) return order;
 
   std::vector<int> hull;
+  hull.reserve(order.size() + 1);
   for (const int i : order) extend_chain(points, 1, i, hull);  // lower chain, from left to right
   const std::size_t lower = hull.size();
   for (std::size_t k = order.size() - 1; k-- > 0;) extend_chain(points, lower, order[k], hull);  // upper, back again
@@ -92,6 +104,7 @@ int polygon_orientation(const Polygon& polygon) {
 }
 
 double diameter_squared(const std::vector<Point>& points) {
+  if (points.size() <= few_points) return diameter_squared_of_all(points);
   const std::vector<int> hull = convex_hull(points);
   const std::size_t n = hull.size();
   if (n < 2) return 0;

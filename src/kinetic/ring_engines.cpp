@@ -56,6 +56,7 @@ const ShapeTiling* RingEngines::tiling_of(const Run& run, Role role) const {
 
 double RingEngines::diameter_of(Role role, std::size_t ring) {
   const RingSet& rings = *bodies_.rings[index_of(role)];
+  if (rings.rings().size() == 1) return rings.diameter_squared();
   std::vector<double>& known = diameters_[index_of(role)];
   if (known.empty()) known.assign(rings.rings().size(), -1);
   if (known[ring] < 0) known[ring] = rings.diameter_squared(ring);

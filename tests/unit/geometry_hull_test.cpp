@@ -25,6 +25,14 @@ double brute_diameter_squared(const std::vector<Point>& points) {
   return best;
 }
 
+/// Of few points, and of so many that the hull decides.
+void expect_diameter_squared(const std::vector<Point>& points, double expected) {
+  ASSERT_EQ(diameter_squared(points), expected);
+  std::vector<Point> many;
+  for (int k = 0; k < 20; ++k) many.insert(many.end(), points.begin(), points.end());
+  ASSERT_EQ(diameter_squared(many), expected);
+}
+
 /// All points are left of or on every hull edge, and the hull turns strictly left.
 void expect_hull(const std::vector<Point>& points, const std::vector<int>& hull) {
   const std::size_t n = hull.size();
@@ -43,7 +51,7 @@ TEST(ConvexHull, RandomAndGridPoints) {
     const std::vector<Point> points = random_points(engine, 1 + static_cast<int>(engine() % 30), range);
     const std::vector<int> hull = convex_hull(points);
     ASSERT_NO_FATAL_FAILURE(expect_hull(points, hull));
-    ASSERT_EQ(diameter_squared(points), brute_diameter_squared(points));  // small integers: exact
+    ASSERT_NO_FATAL_FAILURE(expect_diameter_squared(points, brute_diameter_squared(points)));  // integers: exact
   }
 }
 
@@ -86,11 +94,11 @@ TEST(PolygonOrientation, AgreesWithTheAreaOfRandomStars) {
 }
 
 TEST(Diameter, ParallelEdgesAndDegenerateInput) {
-  EXPECT_EQ(diameter_squared({}), 0);
-  EXPECT_EQ(diameter_squared({{3, 4}}), 0);
-  EXPECT_EQ(diameter_squared({{0, 0}, {3, 4}, {0, 0}}), 25);
-  EXPECT_EQ(diameter_squared({{0, 0}, {4, 0}, {4, 1}, {0, 1}}), 17);
-  EXPECT_EQ(diameter_squared({{0, 0}, {2, 0}, {5, 1}, {3, 1}}), 26);
+  expect_diameter_squared({}, 0);
+  expect_diameter_squared({{3, 4}}, 0);
+  expect_diameter_squared({{0, 0}, {3, 4}, {0, 0}}, 25);
+  expect_diameter_squared({{0, 0}, {4, 0}, {4, 1}, {0, 1}}, 17);
+  expect_diameter_squared({{0, 0}, {2, 0}, {5, 1}, {3, 1}}, 26);
   for (int n = 3; n < 60; ++n) {
     std::vector<Point> ring(n);
     for (int i = 0; i < n; ++i)
