@@ -47,9 +47,31 @@ bool separated(const RelativePose& relative_pose, double r, const Box& fixed, co
          separates(relative_pose, r, fixed.along, fixed.half_length, moving, relative, side);
 }
 
+/// Nothing turns in the stretch: the boxes keep their directions, and one frame is enough for the sides of both.
+bool apart_in_translation(const Stretch& s, const Box& p, const Box& q) {
+  const Vector rotation{s.in_p.rotation.x.a, s.in_p.rotation.y.a}, side = rotation * q.along;
+  const Vector offset = rotation * q.centre - p.centre;
+  Path relative = s.in_p.shift;
+  relative.x.a += offset.x;
+  relative.y.a += offset.y;
+  if (discs_apart(s.in_p.error, s.r, relative, p.radius + q.radius)) return true;
+  const double c = std::fabs(dot(p.along, side)), d = std::fabs(dot(turned(p.along), side));
+  const auto separates = [&](Vector n, double fixed, double moving) {
+    Parabola gap = along(n, relative);
+    if (gap.a < 0) gap = -gap;
+    gap.a -= fixed + moving + s.in_p.error;
+    return gap.a > 0 && gap.least(s.r) > 0;
+  };
+  return separates(turned(p.along), p.half_width, d * q.half_length + c * q.half_width) ||
+         separates(p.along, p.half_length, c * q.half_length + d * q.half_width) ||
+         separates(turned(side), q.half_width, d * p.half_length + c * p.half_width) ||
+         separates(side, q.half_length, c * p.half_length + d * p.half_width);
+}
+
 }  // namespace
 
 bool apart(const Stretch& s, const Box& p, const Box& q) {
+  if (s.in_p.swing == 0) return apart_in_translation(s, p, q);
   const Path relative = s.in_p.place(q.centre, p.centre);
   return discs_apart(s.in_p.error, s.r, relative, p.radius + q.radius) || separated(s.in_p, s.r, p, q, relative) ||
          separated(s.in_q, s.r, q, p, s.in_q.place(p.centre, q.centre));
