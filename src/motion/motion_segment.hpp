@@ -81,7 +81,7 @@ struct MotionSegment {
   /// is about the pivot.
   ExactVector offset_p, offset_q;
 
-  static MotionSegment motion(const MotionPiece& p, const MotionPiece& q, double start, double end);
+  static MotionSegment motion(MotionPiece of_p, MotionPiece of_q, double start, double end);
   static MotionSegment motion_of_chains(const PieceChain& p, const PieceChain& q, double start, double end);
   static MotionSegment bridging(const MotionPiece& p, const MotionPiece& q, const MotionPiece& p_next,
                                 const MotionPiece& q_next, double joint, bool far = false);

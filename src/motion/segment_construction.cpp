@@ -1,5 +1,6 @@
 // Constructs segments from the pieces that bodies follow, and moves parts of their motion into the bodies' coordinates.
 #include <cmath>
+#include <utility>
 
 #include "motion/far_pieces.hpp"
 #include "motion/local_time.hpp"
@@ -83,11 +84,12 @@ MotionSegment MotionSegment::motion_of_chains(const PieceChain& p, const PieceCh
   return segment;
 }
 
-MotionSegment MotionSegment::motion(const MotionPiece& p, const MotionPiece& q, double start, double end) {
-  if (is_composed(p) || is_composed(q)) return motion_of_chains(PieceChain{p}, PieceChain{q}, start, end);
+MotionSegment MotionSegment::motion(MotionPiece of_p, MotionPiece of_q, double start, double end) {
+  if (is_composed(of_p) || is_composed(of_q)) return motion_of_chains(PieceChain{of_p}, PieceChain{of_q}, start, end);
   MotionSegment segment;
-  segment.p = p;
-  segment.q = q;
+  segment.p = std::move(of_p);
+  segment.q = std::move(of_q);
+  const MotionPiece &p = segment.p, &q = segment.q;
   segment.start = start;
   segment.end = end;
   segment.translation = !turns(p) && !turns(q);
