@@ -72,8 +72,7 @@ bool RobotSearch::roams_free(std::size_t link, double from, double to) const {
 /// Does an edge of the link certainly cross one of the map at an instant of the window, or is a vertex certainly
 /// inside? A cheap test to be made first; a negative result has no meaning.
 bool RobotSearch::crosses(std::size_t link, const UniformSegment& segment, double t, const Window& window) {
-  spacetime::UniformStretch even = segment.stretch(t, t);
-  const Stretch& instant = even.everywhere();
+  const Stretch instant = segment.instant(t);
   if (!find_near(link, instant, &window)) return false;
   const spacetime::QAtPose pose = spacetime::QAtPose::of(instant);
   crossed_ = 0;

@@ -163,12 +163,12 @@ FreeCells::Cell RobotSearch::around(const LinkState& link, const spacetime::QAtP
   return all_free ? FreeCells::Cell::free : FreeCells::Cell::mixed;
 }
 
-/// The first of `others_` that the mover overlaps at t. It is decided in doubles, by edges that cross and by free
-/// cells, and exactly where these do not decide. `with_map` is the link, if it is tested against bodies of the map.
-std::optional<std::size_t> RobotSearch::overlapped(const UniformSegment& segment, const Hierarchy& mover, double t,
-                                                   const LinkState* with_map) {
-  spacetime::UniformStretch even = segment.stretch(t, t);
-  const Stretch& instant = even.everywhere();
+/// The first of `others_` that the mover overlaps at the instant. It is decided in doubles, by edges that cross and by
+/// free cells, and exactly where these do not decide. `with_map` is the link, if it is tested against bodies of the
+/// map.
+std::optional<std::size_t> RobotSearch::overlapped(const UniformSegment& segment, const Hierarchy& mover,
+                                                   const Stretch& instant, const LinkState* with_map) {
+  const double t = instant.middle;
   const spacetime::QAtPose pose = spacetime::QAtPose::of(instant);
   const FreeCells::Cell cell = with_map ? around(*with_map, pose) : FreeCells::Cell::mixed;
   // A vertex inside of a body is an overlap, regardless of the edges. The body is known only if there is just one.
@@ -182,7 +182,9 @@ std::optional<std::size_t> RobotSearch::overlapped(const UniformSegment& segment
     if (cross == spacetime::EdgesCross::yes) return i;
     const bool holds = with_map && std::binary_search(inside_.begin(), inside_.end(), near_[i]);
     if (cross == spacetime::EdgesCross::no && !within && !holds) continue;
-    if (spacetime::overlapping(*other.geometry, {*other.tree, mover}, segment.segment(), t, instant)) return i;
+    if (spacetime::overlapping(*other.geometry, {*other.tree, mover}, segment.segment(), t,
+                               segment.stretch(t, t).everywhere()))
+      return i;
   }
   return std::nullopt;
 }
@@ -192,15 +194,17 @@ RobotFinding RobotSearch::at(double t) {
     if (roams_free(k, t, t)) continue;
     const LinkState& state = states_[k];
     const UniformSegment segment(world_chain, state.chain, *state.tree, t, t + 1);
-    if (!find_near(k, segment.stretch(t, t).everywhere())) continue;
-    if (const auto other = overlapped(segment, *state.tree, t, &state))
+    const Stretch instant = segment.instant(t);
+    if (!find_near(k, instant)) continue;
+    if (const auto other = overlapped(segment, *state.tree, instant, &state))
       return found(Outcome::overlap_at_start, t, t, {static_cast<int>(k), -1}, *other);
   }
   for (const LinkPair& pair : pairs_) {
     const Hierarchy& mover = *states_[static_cast<std::size_t>(pair.q)].tree;
     const UniformSegment segment(pair.chain_p, pair.chain_q, mover, t, t + 1);
     others_.assign(1, {&pair.geometry, states_[static_cast<std::size_t>(pair.p)].tree});
-    if (overlapped(segment, mover, t, nullptr)) return found(Outcome::overlap_at_start, t, t, {pair.p, pair.q}, 0);
+    if (overlapped(segment, mover, segment.instant(t), nullptr))
+      return found(Outcome::overlap_at_start, t, t, {pair.p, pair.q}, 0);
   }
   return {};
 }

@@ -87,8 +87,8 @@ class RobotSearch {
   /// the numbers of the bodies in `near_`.
   bool find_near(std::size_t link, const spacetime::Stretch& s, const Window* among = nullptr);
   void list_others(std::size_t link);
-  std::optional<std::size_t> overlapped(const spacetime::UniformSegment& segment, const Hierarchy& mover, double t,
-                                        const LinkState* with_map);
+  std::optional<std::size_t> overlapped(const spacetime::UniformSegment& segment, const Hierarchy& mover,
+                                        const spacetime::Stretch& instant, const LinkState* with_map);
   bool crosses(std::size_t link, const spacetime::UniformSegment& segment, double t, const Window& window);
   bool narrowed(std::size_t link, const spacetime::UniformSegment& segment, Window& window);
   bool crowded(std::size_t link, const Window& window) const;

@@ -119,6 +119,24 @@ RelativePose relative_pose_of(const MovingVector& shift, const MovingVector& rot
   return out;
 }
 
+/// Q in P's frame.
+MovingPose relative_motion(std::span<const MotionPiece> of_p, std::span<const MotionPiece> of_q, double middle,
+                           double r) {
+  MovingPose q = uniform_pose(of_q, middle, r);
+  if (of_p.empty()) return q;
+  const MovingPose p = uniform_pose(of_p, middle, r);
+  const MovingVector back = conj(p.rotation);
+  q.origin = product(back, q.origin - p.origin, r);
+  q.rotation = product(back, q.rotation, r);
+  return q;
+}
+
+RelativePose pose_in_p(const MovingPose& q, double reach, double r) {
+  RelativePose in_p = relative_pose_of(q.origin, q.rotation, reach, r);
+  in_p.error = (in_p.error + reach * q.rotation.error) * (1 + 0x1p-40);
+  return in_p;
+}
+
 }  // namespace
 
 bool UniformMotion::is_even(const MotionPiece& piece) {
@@ -128,20 +146,21 @@ bool UniformMotion::is_even(const MotionPiece& piece) {
   return rotation && rotation->angle.size() <= 2;
 }
 
+Stretch UniformMotion::instant(double t) const {
+  Stretch out;
+  out.middle = t;
+  out.in_p = pose_in_p(relative_motion(p_, q_, t, 0), reach_, 0);
+  out.in_q.error = INFINITY;
+  return out;
+}
+
 UniformStretch UniformMotion::stretch(double start, double end) const {
   UniformStretch even;
   Stretch& out = even.stretch_;
   out.middle = start + (end - start) / 2;
   out.r = std::max(end - out.middle, out.middle - start) * (1 + 0x1p-50);
-  MovingPose q = uniform_pose(q_, out.middle, out.r);
-  if (!p_.empty()) {
-    const MovingPose p = uniform_pose(p_, out.middle, out.r);
-    const MovingVector back = conj(p.rotation);
-    q.origin = product(back, q.origin - p.origin, out.r);
-    q.rotation = product(back, q.rotation, out.r);
-  }
-  out.in_p = relative_pose_of(q.origin, q.rotation, reach_, out.r);
-  out.in_p.error = (out.in_p.error + reach_ * q.rotation.error) * (1 + 0x1p-40);
+  const MovingPose q = relative_motion(p_, q_, out.middle, out.r);
+  out.in_p = pose_in_p(q, reach_, out.r);
   // A point a of P is at back (a - origin) in Q's frame. The error of the parabola of `back` is multiplied by that
   // distance.
   constexpr double longest_of_p = 4;

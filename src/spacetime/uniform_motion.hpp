@@ -47,6 +47,8 @@ class UniformMotion {
 
   /// Obeys the law of Stretch, without bridges and offsets.
   UniformStretch stretch(double start, double end) const;
+  /// An instant of it, in P's frame alone: nothing is claimed in Q's.
+  Stretch instant(double t) const;
 
  private:
   std::span<const MotionPiece> p_, q_;

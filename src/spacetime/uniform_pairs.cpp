@@ -112,7 +112,7 @@ bool UniformPairsSearch::miss(const Stretch& s, const PairGeometry& g, VertexId 
 /// If any contact suffices, an overlap in the middle proves that there is one before it, and is far cheaper to find
 /// than the instant of contact.
 bool UniformPairsSearch::crosses_in_the_middle(const Stretch& s, std::uint32_t other, VertexId of_p, VertexId of_q) {
-  if (!middle_) middle_ = QAtPose::of(segment_->stretch(s.middle, s.middle).everywhere());
+  if (!middle_) middle_ = QAtPose::of(segment_->instant(s.middle));
   if (edges_cross(*middle_, *others_[other].geometry, of_p, of_q) != EdgesCross::yes) return false;
   best_ = Found{other, proved_, s.middle};
   return true;

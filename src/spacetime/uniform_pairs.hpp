@@ -27,6 +27,7 @@ class UniformSegment {
       : p_(p), q_(q), start_(start), end_(end), motion_(p, q, reach_of(mover)) {}
 
   UniformStretch stretch(double start, double end) const { return motion_.stretch(start, end); }
+  Stretch instant(double t) const { return motion_.instant(t); }
   const MotionSegment& segment() const;
 
  private:
