@@ -26,6 +26,9 @@ double usable(const std::string& robot, const char* what, double x) {
   return x;
 }
 
+/// Of a straight way, on [0, 1].
+constexpr MapFinding free_until_end{Outcome::free, 1, 1, -1, -1, -1};
+
 bool all_even(std::span<const Motion> motions) {
   return std::all_of(motions.begin(), motions.end(), [](const Motion& motion) {
     return std::all_of(motion.pieces.begin(), motion.pieces.end(), spacetime::UniformMotion::is_even);
@@ -38,6 +41,7 @@ struct MapQuery::Impl {
   StaticMap map;
   std::vector<StaticMap::Mover> movers;
   const MapBodies* bodies = nullptr;
+  double scale = 1;  ///< of lengths in the engines' terms
   MapQueryOptions options;
   std::optional<RobotSearch> search;
   std::vector<MotionPiece> own;  ///< of each link, scaled
@@ -48,6 +52,7 @@ struct MapQuery::Impl {
   Impl(const StaticMap& of, const std::vector<RobotLink>& links, const MapQueryOptions& how);
 
   std::string why_nothing_meets() const;
+  bool nothing_near(std::span<const PoseSE2> from, std::span<const PoseSE2> to);
   void line(std::size_t link, const PoseSE2& from, const PoseSE2& to);
   void lines(std::span<const PoseSE2> from, std::span<const PoseSE2> to);
   void expect(std::size_t count) const;
@@ -64,6 +69,7 @@ MapQuery::Impl::Impl(const StaticMap& of, const std::vector<RobotLink>& links, c
     : map(of), options(how) {
   const StaticMap::Impl& parts = *of.impl_;
   bodies = &parts.prepared;
+  scale = std::ldexp(1.0, bodies->exponent);
   std::vector<RobotSearch::Link> rings;
   for (const RobotLink& link : links) {
     if (link.shape.impl_->map != &parts)
@@ -93,15 +99,31 @@ std::string MapQuery::Impl::why_nothing_meets() const {
 void MapQuery::Impl::line(std::size_t link, const PoseSE2& from, const PoseSE2& to) {
   const std::string& name = movers[link].name();
   MotionPiece& piece = own[link];
-  const auto set = [&](Coefficients& c, const char* what, double a, double b, int exponent) {
-    c.assign({std::ldexp(usable(name, what, a), exponent), std::ldexp(usable(name, what, b - a), exponent)});
+  // A power of two, as are all units here, and far from those beyond which products are rounded.
+  const auto set = [&](Coefficients& c, const char* what, double a, double b, double unit) {
+    c.assign({unit * usable(name, what, a), unit * usable(name, what, b - a)});
     while (!c.empty() && c.back() == 0) c.pop_back();
   };
-  set(piece.x, "x", from.x, to.x, bodies->exponent);
-  set(piece.y, "y", from.y, to.y, bodies->exponent);
+  set(piece.x, "x", from.x, to.x, scale);
+  set(piece.y, "y", from.y, to.y, scale);
   if (!std::holds_alternative<AngleRotation>(piece.rotation)) piece.rotation = AngleRotation{};
-  set(std::get<AngleRotation>(piece.rotation).angle, "angle", from.angle, to.angle, 0);
+  set(std::get<AngleRotation>(piece.rotation).angle, "angle", from.angle, to.angle, 1);
   piece.pivot = {};
+}
+
+/// Is a robot of one body certainly in free space, with as little done as possible?
+bool MapQuery::Impl::nothing_near(std::span<const PoseSE2> from, std::span<const PoseSE2> to) {
+  const bool limited = options.limits.stop || options.limits.max_seconds < 1e9;
+  if (own.size() != 1 || from.size() != 1 || to.size() != 1 || limited || !untested.empty()) return false;
+  const PoseSE2 &a = from[0], &b = to[0];
+  const auto checked = [&](const char* what, double x) { return usable(movers[0].name(), what, x); };
+  const Vector start{scale * checked("x", a.x), scale * checked("y", a.y)};
+  const Vector way{scale * checked("x", b.x - a.x), scale * checked("y", b.y - a.y)};
+  checked("angle", a.angle);
+  checked("angle", b.angle - a.angle);
+  if (!search->roams_free(start, way)) return false;
+  reason.clear();
+  return true;
 }
 
 void MapQuery::Impl::expect(std::size_t count) const {
@@ -249,6 +271,7 @@ MapQuery& MapQuery::operator=(MapQuery&&) noexcept = default;
 
 MapFinding MapQuery::at(std::span<const PoseSE2> poses) {
   if (poses.size() == 1 && impl_->own.size() == 1 && impl_->known_free.has(poses[0])) return {};
+  if (impl_->nothing_near(poses, poses)) return {};
   impl_->lines(poses, poses);
   const MapFinding found = impl_->answered(0, 0, [this] { return impl_->search->at(0); });
   if (poses.size() == 1 && found.free()) impl_->known_free.add(poses[0]);
@@ -256,11 +279,13 @@ MapFinding MapQuery::at(std::span<const PoseSE2> poses) {
 }
 
 MapFinding MapQuery::along(std::span<const PoseSE2> from, std::span<const PoseSE2> to) {
+  if (impl_->nothing_near(from, to)) return free_until_end;
   impl_->lines(from, to);
   return impl_->answered(0, 1, [&] { return impl_->on_lines(from, false); });
 }
 
 MapFinding MapQuery::passes(std::span<const PoseSE2> from, std::span<const PoseSE2> to) {
+  if (impl_->nothing_near(from, to)) return free_until_end;
   impl_->lines(from, to);
   return impl_->answered(0, 1, [&] { return impl_->on_lines(from, true); });
 }

@@ -40,6 +40,26 @@ Place place_of(const MotionPiece& piece, double t) {
 
 }  // namespace
 
+/// Is a disc certainly in free cells on the line from `from` on? A cheap test; a negative result has no meaning.
+bool RobotSearch::is_free(Vector from, Vector way, double radius) const {
+  const double length = std::max(std::fabs(way.x), std::fabs(way.y));
+  double gone = 0;
+  for (int i = 0; i < most_places; ++i) {
+    const double share = length > 0 ? gone / length : 0;
+    const double room = cells_.room(from.x + share * way.x, from.y + share * way.y) - radius;
+    if (!(room > 0)) return false;
+    gone += room;
+    if (gone >= length) return true;
+  }
+  return false;
+}
+
+bool RobotSearch::roams_free(Vector from, Vector way) const {
+  if (links_.size() > 1) return false;
+  const double rounded = 0x1p-45 * (l1_norm(from) + l1_norm(way));
+  return is_free(from, way, states_[0].reach * (1 + 0x1p-40) + rounded);
+}
+
 /// Is the link certainly in free cells all the way, however it turns? A cheap test to be made first; a negative result
 /// has no meaning.
 bool RobotSearch::roams_free(std::size_t link, double from, double to) const {
@@ -57,16 +77,7 @@ bool RobotSearch::roams_free(std::size_t link, double from, double to) const {
   }
   around = around * (1 + 0x1p-40) +
            0x1p-45 * (std::fabs(begin.x) + std::fabs(begin.y) + std::fabs(end.x) + std::fabs(end.y));
-  const double dx = end.x - begin.x, dy = end.y - begin.y, length = std::max(std::fabs(dx), std::fabs(dy));
-  double gone = 0;
-  for (int i = 0; i < most_places; ++i) {
-    const double share = length > 0 ? gone / length : 0;
-    const double room = cells_.room(begin.x + share * dx, begin.y + share * dy) - around;
-    if (!(room > 0)) return false;
-    gone += room;
-    if (gone >= length) return true;
-  }
-  return false;
+  return is_free({begin.x, begin.y}, {end.x - begin.x, end.y - begin.y}, around);
 }
 
 /// Does an edge of the link certainly cross one of the map at an instant of the window, or is a vertex certainly

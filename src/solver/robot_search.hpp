@@ -37,6 +37,9 @@ class RobotSearch {
   /// The pairs of links that are tested.
   std::vector<std::array<int, 2>> meeting() const;
 
+  /// Is a robot of one link certainly in free cells of the map all along this line, however it turns? A cheap test; a
+  /// negative result has no meaning.
+  bool roams_free(Vector from, Vector way) const;
   /// Sets the motions of the links from now on: uniform pieces, scaled.
   void set(std::span<const MotionPiece> own);
   /// Does a link overlap anything at t?
@@ -82,6 +85,7 @@ class RobotSearch {
     int link = -1, other_link = -1;
   };
   std::size_t common_parents(int p, int q) const;
+  bool is_free(Vector from, Vector way, double radius) const;
   bool roams_free(std::size_t link, double from, double to) const;
   /// Finds the bodies that meet the link's box in the stretch, among all or among those of a window: `others_`, with
   /// the numbers of the bodies in `near_`.
