@@ -10,7 +10,7 @@ namespace {
 
 bool moves(const Body& body) { return !body.motion.pieces.empty() || !body.relative_to.empty(); }
 
-std::string names_of(const Scene& scene) {
+std::string all_bodies(const Scene& scene) {
   std::string all;
   for (const Body& body : scene.bodies) all += (all.empty() ? "\"" : ", \"") + body.name + "\"";
   return all;
@@ -30,9 +30,9 @@ BodyId chosen_body(const Scene& scene, const std::string& name) {
   }
   if (found >= 0) return found;
   if (name.empty() && scene.bodies.size() == 1) return 0;
-  const std::string hint = "the scene has " + names_of(scene);
+  const std::string hint = "the scene has " + all_bodies(scene);
   if (name.empty()) throw InputError("--body", "no body moves", hint);
-  throw internal::no_such_body(scene.bodies, name, "--body", "", hint);
+  throw internal::no_such_body(internal::names_of(scene.bodies), name, "--body", "", hint);
 }
 
 }  // namespace taut::cli

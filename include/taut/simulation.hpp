@@ -228,9 +228,11 @@ class Simulation {
   /// counts once resume() is called. After an overlap it changes nothing.
   void set_motion(BodyId body, const Motion& motion);
 
-  /// The next four begin anew at time(), and cost what a new simulation does. An InputError changes nothing; they throw
-  /// it also where bodies would overlap.
-  /// Adds a body from time() on, which other bodies must not overlap. Returns its number: that of the last body, and 1.
+  /// The next four cost what they are about, in worlds of more than two bodies: the pairs of the body that are near.
+  /// They cost what a new simulation does where add_body() gets a body that is larger than all others (by the power of
+  /// 2 above its largest coordinate), or any body has cross-sections on different layers. An InputError changes
+  /// nothing; they throw it also where bodies would overlap. Adds a body from time() on, which other bodies must not
+  /// overlap. Returns its number: that of the last body, and 1.
   BodyId add_body(const Body& body);
   /// Takes a body away from time() on. The others keep their numbers. Throws InputError if a body is attached to it.
   void remove_body(BodyId body);
@@ -274,7 +276,7 @@ class Simulation {
   /// The certificates that can fail: corners with vertices of both bodies.
   std::vector<ActiveCertificate> active_set() const;
   /// The scene as it goes on from time(): motions, parents and ignored pairs as they are now. Bodies that were removed
-  /// are still there, ignored by all others.
+  /// are still there, at rest and ignored by all others.
   const Scene& scene() const;
   /// All that was done until time(), as ordinary scenes: one for each stretch of time between two calls of add_body(),
   /// remove_body(), ignore() or set_parent(), mostly a single one. They are free of contacts: every motion gives way to

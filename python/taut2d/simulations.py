@@ -148,8 +148,13 @@ class Simulation:
         within = 0.0 if contact_time is None else number(contact_time, "contact_time")
         with _plain_places():
             self._core = _taut2d.Simulation(scene_text(scene), options, most, within, bool(record))
+        # The scene, and what has changed since it was made: bodies in their order, motions, ignored pairs and margins.
         self._scene = scene
+        self._is_current = True
+        self._now = dict(enumerate(scene.bodies))
         self._changed: dict[str, Optional[Motion]] = {}
+        self._ignore = list(scene.ignore)
+        self._clearances = list(scene.clearances)
         # Of bodies by their numbers; those that were removed keep theirs.
         self._bodies = [body.name for body in scene.bodies]
         self._places = {name: k for k, name in enumerate(self._bodies)}
@@ -157,11 +162,14 @@ class Simulation:
     @property
     def scene(self) -> Scene:
         """The scene with the motions that hold from ``time`` on: scene.poses(simulation.time) is where bodies are."""
-        if self._changed:
-            motions, self._changed = self._changed, {}
-            bodies = [replace(body, motion=motions[body.name]) if body.name in motions else body
-                      for body in self._scene.bodies]
-            self._scene = replace(self._scene, bodies=bodies)
+        for name, motion in self._changed.items():
+            place = self._places[name]
+            self._now[place] = replace(self._now[place], motion=motion)
+        if self._changed or not self._is_current:
+            self._changed = {}
+            self._is_current = True
+            self._scene = replace(self._scene, bodies=list(self._now.values()), ignore=list(self._ignore),
+                                  clearances=list(self._clearances))
         return self._scene
 
     def _place(self, name: str) -> int:
@@ -315,8 +323,9 @@ class Simulation:
         return self._core.advance_many(number(t, "t"), lambda contact: on_contact(SimulatedContact(contact, names)))
 
     def add_body(self, body: Body) -> None:
-        """Adds a body from ``time`` on, which other bodies must not overlap. This and the next three calls begin anew at
-        ``time``, and cost what a new simulation does."""
+        """Adds a body from ``time`` on, which other bodies must not overlap. This and the next three calls cost what they are
+        about: the pairs of the body that are near. In a scene whose bodies have cross-sections on different layers, and for
+        a body that is larger than all others, beyond the next power of 2, a call costs what a new simulation does."""
         if not isinstance(body, Body):
             raise InputError("body", f"expected a Body, found {type(body).__name__}", "write Body(name, shape, motion)")
         alone = Scene([replace(body, relative_to=None)], self._scene.time, folder=self._scene.folder)
@@ -324,21 +333,23 @@ class Simulation:
             place = self._core.add_body(scene_text(alone), body.relative_to or "")
         self._bodies.append(body.name)
         self._places[body.name] = place
-        self._scene = replace(self.scene, bodies=(*self.scene.bodies, body))
+        self._now[place] = body
+        self._is_current = False
 
     def remove_body(self, name: str) -> None:
         """Takes a body away from ``time`` on. InputError if another one is attached to it."""
         self._core.remove_body(self._place(name))
-        del self._places[name]
-        scene = self.scene
-        self._scene = replace(scene, bodies=[body for body in scene.bodies if body.name != name],
-                              ignore=[pair for pair in scene.ignore if name not in pair],
-                              clearances=[own for own in scene.clearances if name not in own.pair])
+        del self._now[self._places.pop(name)]
+        self._changed.pop(name, None)
+        self._ignore = [pair for pair in self._ignore if name not in pair]
+        self._clearances = [own for own in self._clearances if name not in own.pair]
+        self._is_current = False
 
     def ignore(self, a: str, b: str) -> None:
         """The pair is not tested from ``time`` on."""
         self._core.ignore(self._place(a), self._place(b))
-        self._scene = replace(self.scene, ignore=(*self.scene.ignore, (a, b)))
+        self._ignore.append((a, b))
+        self._is_current = False
 
     def set_parent(self, name: str, parent: Optional[str], motion: Optional[Motion]) -> None:
         """From ``time`` on, the body is attached to ``parent``, or to none, and moves as seen from there. Its place in the
@@ -346,9 +357,9 @@ class Simulation:
         place, other = self._place(name), None if parent is None else self._place(parent)
         with plain_motions():
             self._core.set_parent(place, other, motion_text(motion, *self._scene.time))
-        scene = self.scene
-        self._scene = replace(scene, bodies=[replace(body, motion=motion, relative_to=parent) if body.name == name else body
-                                             for body in scene.bodies])
+        self._now[place] = replace(self._now[place], motion=motion, relative_to=parent)
+        self._changed.pop(name, None)
+        self._is_current = False
 
     def relative_velocity(self, contact: Optional[Contact] = None) -> ContactMotion:
         """How the bodies of a contact move at that time: of ``contact``, or of one of ``also``. Of the motions that hold

@@ -168,7 +168,7 @@ BodyId body_called(const Scene& scene, const std::string& name) {
   if (found != scene.bodies.end()) return static_cast<BodyId>(found - scene.bodies.begin());
   std::string names;
   for (const Body& body : scene.bodies) names += (names.empty() ? "" : ", ") + body.name;
-  throw no_such_body(scene.bodies, name, "body", "", "the scene has " + names);
+  throw no_such_body(names_of(scene.bodies), name, "body", "", "the scene has " + names);
 }
 
 }  // namespace taut::internal

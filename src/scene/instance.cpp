@@ -52,19 +52,8 @@ void Instance::add_bodies(const Scene& scene) {
   exponent_ = -exponent_;
   largest_ = std::ldexp(largest, exponent_);
   bodies_.reserve(scene.bodies.size());
-  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-    InstanceBody body;
-    const Body& given = scene.bodies[i];
-    const CrossSection lowest = given.parts.empty() ? CrossSection{given.z, {}} : cross_sections_of(given).front();
-    body.rings = std::make_shared<const RingSet>(given, static_cast<int>(i), exponent_, lowest.parts);
-    body.body = static_cast<int>(i);
-    body.z = lowest.z;
-    if (!given.motion.pieces.empty()) {
-      PieceList own = PieceList::between(given.motion, start_, end_, exponent_);
-      if (!own.rests()) body.own = std::move(own);
-    }
-    bodies_.push_back(std::move(body));
-  }
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+    bodies_.push_back(lowest_section(scene.bodies[i], static_cast<int>(i), start_));
   find_parents(scene);
   in_scene_ = scene.bodies.size();
   add_sections(scene);
@@ -73,6 +62,21 @@ void Instance::add_bodies(const Scene& scene) {
     bodies_[i].motions = chain_of(static_cast<int>(i));
     if (bodies_[i].parent >= 0) children_[static_cast<std::size_t>(bodies_[i].parent)].push_back(static_cast<int>(i));
   }
+}
+
+InstanceBody Instance::lowest_section(const Body& given, int index, double from) const {
+  InstanceBody body;
+  const CrossSection lowest = given.parts.empty() ? CrossSection{given.z, {}} : cross_sections_of(given).front();
+  body.rings = std::make_shared<const RingSet>(given, index, exponent_, lowest.parts);
+  body.body = index;
+  body.z = lowest.z;
+  if (!given.motion.pieces.empty()) body.own = pieces_of(given.motion, from);
+  return body;
+}
+
+PieceList Instance::pieces_of(const Motion& motion, double t) const {
+  PieceList pieces = PieceList::between(motion, t, end_, exponent_);
+  return pieces.rests() ? PieceList() : pieces;
 }
 
 /// Cross-sections beyond the lowest one rest on the body's lowest one.
@@ -139,13 +143,85 @@ std::vector<int> Instance::followers(int body) const {
 void Instance::replan(int body, const Motion& motion, double t, double from) {
   PieceList& own = bodies_[static_cast<std::size_t>(body)].own;
   PieceList fresh = PieceList::between(motion, t, end_, exponent_);
-  if (from < t) fresh = fresh.after(own.empty() ? MotionPiece{} : own.at(from), t);
+  if (from < t && bodies_[static_cast<std::size_t>(body)].born < t)
+    fresh = fresh.after(own.empty() ? MotionPiece{} : own.at(from), t);
   start_ = from;
   if (!moving_) note_moving();
   const std::vector<int> changed = followers(body);
   for (const int k : changed) leave_group(k);
   own = fresh.rests() ? PieceList() : fresh;
   for (const int k : changed) bodies_[static_cast<std::size_t>(k)].motions = chain_of(k);
+  for (const int k : changed) join_group(k);
+}
+
+bool Instance::can_add(const Body& body) const {
+  int exponent = 0;
+  std::frexp(largest_coordinate(body), &exponent);
+  const bool one_section = body.parts.size() < 2 || cross_sections_of(body).size() == 1;
+  return exponent <= -exponent_ && one_section && bodies_.size() == in_scene_;
+}
+
+InstanceBody Instance::to_add(const Body& body, int parent, double t) const {
+  InstanceBody added = lowest_section(body, static_cast<int>(bodies_.size()), t);
+  added.parent = parent;
+  added.born = t;
+  return added;
+}
+
+void Instance::add(InstanceBody added, double from) {
+  const int index = static_cast<int>(bodies_.size()), parent = added.parent;
+  if (!moving_) note_moving();
+  start_ = from;
+  if (layers_.empty() && !(added.z == Layers{})) layers_.assign(bodies_.size(), std::vector<Layers>{Layers{}});
+  if (!layers_.empty()) layers_.push_back({added.z});
+  bodies_.push_back(std::move(added));
+  children_.emplace_back();
+  if (parent >= 0) children_[static_cast<std::size_t>(parent)].push_back(index);
+  ignored_.add_body();
+  ++in_scene_;
+  bodies_.back().motions = chain_of(index);
+  join_group(index);
+}
+
+void Instance::remove_last() {
+  const int index = static_cast<int>(bodies_.size()) - 1;
+  leave_group(index);
+  if (bodies_.back().parent >= 0) std::erase(children_[static_cast<std::size_t>(bodies_.back().parent)], index);
+  bodies_.pop_back();
+  children_.pop_back();
+  if (!layers_.empty()) layers_.pop_back();
+  ignored_.remove_last_body();
+  --in_scene_;
+}
+
+void Instance::retire(int body) {
+  if (!moving_) note_moving();
+  ignored_.add_all(body);
+  InstanceBody& retired = bodies_[static_cast<std::size_t>(body)];
+  if (retired.parent >= 0) std::erase(children_[static_cast<std::size_t>(retired.parent)], body);
+  retired.parent = -1;
+  retired.own = PieceList();
+  for (const int k : sections(body)) {
+    leave_group(k);
+    bodies_[static_cast<std::size_t>(k)].motions.clear();
+    join_group(k);
+  }
+}
+
+void Instance::attach(int body, int parent, const PieceList& own, double t, double from) {
+  start_ = from;
+  if (!moving_) note_moving();
+  const std::vector<int> changed = followers(body);
+  for (const int k : changed) leave_group(k);
+  InstanceBody& attached = bodies_[static_cast<std::size_t>(body)];
+  if (attached.parent >= 0) std::erase(children_[static_cast<std::size_t>(attached.parent)], body);
+  if (parent >= 0) children_[static_cast<std::size_t>(parent)].push_back(body);
+  attached.parent = parent;
+  attached.own = own;
+  for (const int k : changed) {
+    bodies_[static_cast<std::size_t>(k)].motions = chain_of(k);
+    bodies_[static_cast<std::size_t>(k)].born = t;
+  }
   for (const int k : changed) join_group(k);
 }
 

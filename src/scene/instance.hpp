@@ -1,7 +1,9 @@
 // A scene of any number of bodies in the terms of the engines.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <set>
@@ -28,6 +30,8 @@ struct InstanceBody {
   int group = 0;
   PieceList own = {};  ///< seen from its parent; empty if it rests there
   int parent = -1;
+  /// Its pairs begin no earlier: the body came at that time, or was attached to another one.
+  double born = -std::numeric_limits<double>::infinity();
 };
 
 /// The motions of a body's parents, the outermost first, and its own, in the scene's coordinates; the scene must be
@@ -83,17 +87,38 @@ class Instance {
   /// held, and the world starts at `from`, which is t or before. Coverage is not counted anew. Only the body's
   /// followers are looked at, and, for the first change, what moves with what.
   void replan(int body, const Motion& motion, double t, double from);
+  /// Can the body be added, which must be valid? If not, as it is larger than all others, or has cross-sections of its
+  /// own, or another body has, all numbers would change.
+  bool can_add(const Body& body) const;
+  /// The body as the last one, which is there from t on, for add().
+  InstanceBody to_add(const Body& body, int parent, double t) const;
+  /// `from`: as for replan().
+  void add(InstanceBody body, double from);
+  /// Takes back what add() has done, but for `from`.
+  void remove_last();
+  /// The body is seen from that parent, or none, from t on; its followers' pairs begin there. `own`: pieces_of().
+  void attach(int body, int parent, const PieceList& own, double t, double from);
+  /// From t on; none if the body rests.
+  PieceList pieces_of(const Motion& motion, double t) const;
+  const IgnoredPairs& ignored() const { return ignored_; }
+  /// Two bodies of the scene are not asked about any more.
+  void ignore(int a, int b) { ignored_.add(a, b); }
+  /// A body of the scene, to which none is attached, is not asked about any more, and rests.
+  void retire(int body);
   /// The body and all that are seen from it, directly or not, in order.
   std::vector<int> followers(int body) const;
 
   BodyPair pair(int a, int b) const;
   /// From when on the two bodies are only where they have been before: see motion/far_pieces.hpp.
   double repeats_from(int a, int b) const;
+  /// From when on both bodies are there.
+  double start_of(int a, int b) const { return std::max({start_, section(a).born, section(b).born}); }
   /// Of that pair, from start to end.
   MotionSegments segments(const BodyPair& pair) const { return segments_of(pair, start_, end_); }
 
  private:
   const InstanceBody& section(int body) const { return bodies_[static_cast<std::size_t>(body)]; }
+  InstanceBody lowest_section(const Body& given, int index, double from) const;
   void add_bodies(const Scene& scene);
   void add_sections(const Scene& scene);
   void find_parents(const Scene& scene);

@@ -75,7 +75,7 @@ class TreeBuilder {
   int body_named(const std::string& name, const std::string& place) const {
     const auto found = names_.find(name);
     if (found != names_.end()) return found->second;
-    throw no_such_body(scene_.bodies, name, place, "", "write the name of a body of the scene");
+    throw no_such_body(names_of(scene_.bodies), name, place, "", "write the name of a body of the scene");
   }
 
   /// As for coordinates of outlines.

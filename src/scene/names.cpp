@@ -46,11 +46,15 @@ std::string nearest_word(const std::string& word, const std::vector<std::string>
   return best;
 }
 
-InputError no_such_body(const std::vector<Body>& bodies, const std::string& name, const std::string& place,
+std::vector<std::string> names_of(const std::vector<Body>& bodies) {
+  std::vector<std::string> names;
+  names.reserve(bodies.size());
+  for (const Body& body : bodies) names.push_back(body.name);
+  return names;
+}
+
+InputError no_such_body(const std::vector<std::string>& known, const std::string& name, const std::string& place,
                         const std::string& what, const std::string& hint) {
-  std::vector<std::string> known;
-  known.reserve(bodies.size());
-  for (const Body& body : bodies) known.push_back(body.name);
   const std::string near = nearest_word(name, known);
   return {place, "there is no body \"" + name + "\"" + what,
           (near.empty() ? "" : "did you mean \"" + near + "\"? ") + hint};

@@ -50,7 +50,7 @@ NumberedPair numbered(const Scene& scene, const PairClearance& entry, const std:
     const std::string& name = entry.pair[side];
     const auto found = by_name.find(name);
     if (name != "*" && found == by_name.end())
-      throw no_such_body(scene.bodies, name, place, "",
+      throw no_such_body(names_of(scene.bodies), name, place, "",
                          "write names of bodies of the scene, or \"*\" for every other one");
     ids[side] = name == "*" ? -1 : found->second;
   }

@@ -70,6 +70,7 @@ IgnoredPairs::IgnoredPairs(const Scene& scene) : all_(scene.bodies.size(), false
   const std::map<std::string, int> by_name = bodies_by_name(scene);
   for (const auto& [first, second] : scene.ignore) {
     if (first == "*" && second == "*") {
+      everything_ = true;
       all_.assign(all_.size(), true);
     } else if (first == "*" || second == "*") {
       all_[static_cast<std::size_t>(by_name.at(first == "*" ? second : first))] = true;
@@ -80,6 +81,17 @@ IgnoredPairs::IgnoredPairs(const Scene& scene) : all_(scene.bodies.size(), false
   }
   std::sort(pairs_.begin(), pairs_.end());
   pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
+}
+
+bool IgnoredPairs::names(int body) const {
+  return std::any_of(pairs_.begin(), pairs_.end(),
+                     [body](const auto& p) { return p.first == body || p.second == body; });
+}
+
+void IgnoredPairs::add(int a, int b) {
+  const std::pair<int, int> pair(std::min(a, b), std::max(a, b));
+  const auto place = std::lower_bound(pairs_.begin(), pairs_.end(), pair);
+  if (a != b && (place == pairs_.end() || *place != pair)) pairs_.insert(place, pair);
 }
 
 bool IgnoredPairs::has(int a, int b) const {

@@ -45,8 +45,17 @@ class IgnoredPairs {
   std::uint64_t count() const;
   /// Those given one by one: in order, each once, with the smaller index first.
   const std::vector<std::pair<int, int>>& pairs() const { return pairs_; }
+  /// Is there a pair of the body with a single other one?
+  bool names(int body) const;
+
+  void add(int a, int b);
+  void add_all(int body) { all_[static_cast<std::size_t>(body)] = true; }
+  /// One more, which the scene does not name.
+  void add_body() { all_.push_back(everything_); }
+  void remove_last_body() { all_.pop_back(); }
 
  private:
+  bool everything_ = false;  ///< every pair, whatever bodies there are
   std::vector<bool> all_;
   std::vector<std::pair<int, int>> pairs_;
 };

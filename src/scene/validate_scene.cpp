@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <string>
-#include <string_view>
 
 #include <fmt/format.h>
 
@@ -22,21 +20,6 @@
 
 namespace taut::internal {
 namespace {
-
-using Names = std::map<std::string_view, BodyId>;
-
-Names names_of(const Scene& scene) {
-  Names names;
-  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-    const std::string& name = scene.bodies[i].name;
-    if (name == "*") throw InputError("bodies", "a body is called \"*\"", "in \"ignore\" that is every other body");
-    // Nothing refers to a body without a name.
-    if (!name.empty() && !names.emplace(name, static_cast<BodyId>(i)).second)
-      throw InputError("bodies", "two bodies are called \"" + name + "\"",
-                       "give the bodies different names: answers call them by name");
-  }
-  return names;
-}
 
 /// The same error, its culprits on this part of this body; on this ring, unless they name rings themselves.
 InputError located(const InputError& error, BodyId body, std::size_t part, std::size_t ring) {
@@ -104,29 +87,24 @@ void validate_layers(const Body& body) {
   });
 }
 
-void validate_parents(const Scene& scene, const Names& names) {
+void validate_parents(const Scene& scene, const BodyNames& names) {
   for (const Body& body : scene.bodies) {
     const Body* link = &body;
-    for (int depth = 0; !link->relative_to.empty(); ++depth) {
-      const auto parent = names.find(link->relative_to);
-      if (parent == names.end())
-        throw no_such_body(scene.bodies, link->relative_to, link->name, " for it to be relative to",
-                           "`relative_to` is the name of another body of the scene");
-      link = &scene.bodies[static_cast<std::size_t>(parent->second)];
-      if (link == &body)
-        throw InputError(body.name, "it is relative to itself, through its parents", "chains must end");
-      if (depth >= max_depth)
-        throw InputError(body.name, "its chain of parents has more than " + std::to_string(max_depth) + " bodies",
-                         "shorten it, or look for a cycle among its parents");
+    for (int depth = 1; !link->relative_to.empty(); ++depth) {
+      const std::optional<BodyId> parent = names.find(link->relative_to);
+      if (!parent) refuse_parent(*link, names_of(scene.bodies));
+      link = &scene.bodies[static_cast<std::size_t>(*parent)];
+      if (link == &body) refuse_cycle(body.name);
+      validate_depth(body.name, depth);
     }
   }
 }
 
-void validate_ignored(const Scene& scene, const Names& names) {
+void validate_ignored(const Scene& scene, const BodyNames& names) {
   for (std::size_t i = 0; i < scene.ignore.size(); ++i) {
     for (const std::string& name : scene.ignore[i]) {
-      if (name != "*" && names.count(name) == 0)
-        throw no_such_body(scene.bodies, name, "ignore[" + std::to_string(i) + "]", "",
+      if (name != "*" && !names.find(name))
+        throw no_such_body(names_of(scene.bodies), name, "ignore[" + std::to_string(i) + "]", "",
                            "write names of bodies of the scene, or \"*\" for every other one");
     }
     if (scene.ignore[i][0] == scene.ignore[i][1] && scene.ignore[i][0] != "*")
@@ -137,7 +115,56 @@ void validate_ignored(const Scene& scene, const Names& names) {
 
 }  // namespace
 
-void validate_ignored(const Scene& scene) { validate_ignored(scene, names_of(scene)); }
+BodyNames::BodyNames(const Scene& scene) {
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) add(scene.bodies[i].name, static_cast<BodyId>(i));
+}
+
+BodyNames::BodyNames(const std::vector<std::string>& names) {
+  for (std::size_t i = 0; i < names.size(); ++i) add(names[i], static_cast<BodyId>(i));
+}
+
+void BodyNames::add(const std::string& name, BodyId body) {
+  if (name == "*") throw InputError("bodies", "a body is called \"*\"", "in \"ignore\" that is every other body");
+  if (!name.empty() && !numbers_.emplace(name, body).second)
+    throw InputError("bodies", "two bodies are called \"" + name + "\"",
+                     "give the bodies different names: answers call them by name");
+}
+
+std::optional<BodyId> BodyNames::find(const std::string& name) const {
+  const auto found = numbers_.find(name);
+  return found == numbers_.end() ? std::nullopt : std::optional(found->second);
+}
+
+void validate_depth(const std::string& name, int depth) {
+  if (depth <= max_depth) return;
+  throw InputError(name, "its chain of parents has more than " + std::to_string(max_depth) + " bodies",
+                   "shorten it, or look for a cycle among its parents");
+}
+
+void refuse_parent(const Body& body, const std::vector<std::string>& known) {
+  throw no_such_body(known, body.relative_to, body.name, " for it to be relative to",
+                     "`relative_to` is the name of another body of the scene");
+}
+
+void refuse_cycle(const std::string& name) {
+  throw InputError(name, "it is relative to itself, through its parents", "chains must end");
+}
+
+void validate_added(const Body& body, BodyId id, double start, double end, double largest, double& extent) {
+  refuse_curves(body);
+  validate_layers(body);
+  ShapeFacts range;
+  range.least = INFINITY;
+  range.largest = largest;
+  AxisBox box;
+  validate_shape(body, id, range, box);
+  validate_range(range, range);
+  const double wider = std::max(extent, diagonal(box));
+  validate_motion(body.motion, body.name, box, start, end, wider);
+  extent = wider;
+}
+
+void validate_ignored(const Scene& scene) { validate_ignored(scene, BodyNames(scene)); }
 
 bool is_ring_pair(const Scene& scene) {
   const auto polygon = [](const Body& body) {
@@ -165,7 +192,7 @@ void validate_polygons(const Scene& scene) {
     throw InputError("mechanism", "its bodies have no motions yet", "ask about assembled(scene)");
   validate_time(scene);
   if (scene.bodies.empty()) throw InputError("bodies", "the scene has no bodies", "write at least one");
-  const Names names = names_of(scene);
+  const BodyNames names(scene);
   ShapeFacts range;
   range.least = INFINITY;
   std::vector<AxisBox> boxes;

@@ -136,7 +136,8 @@ double NearBodies::shortest_time() const {
 
 NearBodies::Box NearBodies::box_until(int body, double from, double to) const {
   checkpoint();
-  return {swept_box(instance_.bodies()[static_cast<std::size_t>(body)], from, to), from, to, Way(),
+  const InstanceBody& moving = instance_.bodies()[static_cast<std::size_t>(body)];
+  return {swept_box(moving, std::max(from, moving.born), to), from, to, Way(),
           boxes_[static_cast<std::size_t>(body)].length};
 }
 
@@ -162,6 +163,7 @@ NearBodies::Box NearBodies::box_of(int body, double from, bool alone) const {
 /// jump which apart_until() asks for.
 NearBodies::Way NearBodies::way_of(int body, double from, double to) const {
   const InstanceBody& moving = instance_.bodies()[static_cast<std::size_t>(body)];
+  from = std::max(from, moving.born);
   const double next = std::nextafter(from, never);
   PieceChain chain;
   bool joins = false;
@@ -223,10 +225,15 @@ void NearBodies::lift(int body) {
   ends_.erase({box.to, body});
 }
 
-/// All boxes are renewed before any pair is looked for. What is in the way of a long box shortens it.
 void NearBodies::renew(const std::vector<int>& bodies, double from, Changes& changes) {
-  latest_ = std::max(latest_, from);
   for (const int body : bodies) lift(body);
+  box_anew(bodies, from, changes);
+}
+
+/// Of bodies without boxes. All boxes are made before any pair is looked for. What is in the way of a long box shortens
+/// it.
+void NearBodies::box_anew(const std::vector<int>& bodies, double from, Changes& changes) {
+  latest_ = std::max(latest_, from);
   std::vector<int> renewed = bodies;
   for (const int body : bodies) place(body, box_of(body, from, true));
   for (std::size_t k = 0; k < renewed.size(); ++k) {
@@ -282,6 +289,52 @@ NearBodies::Changes NearBodies::change(const std::vector<int>& changed, double f
   latest_ = from;
   renew(renewed, from, changes);
   return changes;
+}
+
+NearBodies::Changes NearBodies::add(double from) {
+  const int body = static_cast<int>(near_.size());
+  near_.emplace_back();
+  discs_.push_back(disc_around(*instance_.bodies().back().rings));
+  boxes_.emplace_back();
+  boxes_.back().length = instance_.end() - from;
+  Changes changes;
+  box_anew({body}, from, changes);
+  return changes;
+}
+
+NearBodies::Changes NearBodies::remove(int body) {
+  Changes changes;
+  lift(body);
+  boxes_[static_cast<std::size_t>(body)].from = -never;
+  for (const int other : near_[static_cast<std::size_t>(body)]) {
+    near_[static_cast<std::size_t>(other)].erase(body);
+    changes.gone.emplace_back(std::min(body, other), std::max(body, other));
+  }
+  near_[static_cast<std::size_t>(body)].clear();
+  return changes;
+}
+
+void NearBodies::remove_last() {
+  remove(static_cast<int>(near_.size()) - 1);
+  near_.pop_back();
+  discs_.pop_back();
+  boxes_.pop_back();
+}
+
+void NearBodies::part(int a, int b) {
+  near_[static_cast<std::size_t>(a)].erase(b);
+  near_[static_cast<std::size_t>(b)].erase(a);
+}
+
+std::vector<int> NearBodies::alike_at(int body, double t) const {
+  const std::vector<InstanceBody>& bodies = instance_.bodies();
+  const InstanceBody& one = bodies[static_cast<std::size_t>(body)];
+  std::vector<int> alike = tree_->find(swept_box(one, t, t));
+  std::erase_if(alike, [&](int other) {
+    return other == body || bodies[static_cast<std::size_t>(other)].group != one.group ||
+           instance_.excluded(body, other);
+  });
+  return alike;
 }
 
 }  // namespace taut::internal

@@ -50,6 +50,16 @@ class NearBodies {
   /// These bodies, in order, move in another way from that time on. Boxes that begin later are renewed from then on,
   /// too.
   Changes change(const std::vector<int>& changed, double from);
+  /// The last body has come at that time.
+  Changes add(double from);
+  /// The body is near no other one any more, and does not change any more.
+  Changes remove(int body);
+  /// Takes back what add() has done, but for the boxes of others that it has shortened.
+  void remove_last();
+  /// Are not asked about any more.
+  void part(int a, int b);
+  /// Bodies that may be at the same place as the body at that time, move like it, and are not excluded.
+  std::vector<int> alike_at(int body, double t) const;
   bool has(int a, int b) const { return near_[static_cast<std::size_t>(a)].count(b) > 0; }
   /// The bodies near one body, in order.
   const std::set<int>& of(int body) const { return near_[static_cast<std::size_t>(body)]; }
@@ -84,6 +94,7 @@ class NearBodies {
   void place(int body, Box box);
   void lift(int body);
   void renew(const std::vector<int>& bodies, double from, Changes& changes);
+  void box_anew(const std::vector<int>& bodies, double from, Changes& changes);
   void find_near(int body, Changes& changes);
 
   const Instance& instance_;

@@ -110,7 +110,7 @@ void WorldSimulation::begin_tilings(Pairs::iterator pair, std::optional<double> 
     solver->ask_start();
   }
   pair->second.solver = std::move(solver);
-  pair->second.due = from.value_or(instance_.start());
+  pair->second.due = from.value_or(instance_.start_of(a, b));
   pair->second.next.reset();
 }
 

@@ -20,6 +20,12 @@ void Simulation::Impl::check_body(BodyId body) const {
     throw InputError("", "body " + std::to_string(body) + " was removed", "name a body that is still there");
 }
 
+void Simulation::Impl::check_named(BodyId body) const {
+  if (scene.bodies[static_cast<std::size_t>(body)].name.empty())
+    throw InputError("", "body " + std::to_string(body) + " has no name, by which the scene could refer to it",
+                     "give it one");
+}
+
 void Simulation::Impl::set_motion(BodyId body, const Motion& motion) {
   check_body(body);
   if (world->over() && !in_contact()) return;
@@ -29,19 +35,39 @@ void Simulation::Impl::set_motion(BodyId body, const Motion& motion) {
     world->check_motion(body, motion);
     Scene next = scene;
     next.bodies[static_cast<std::size_t>(body)].motion = motion;
-    return begin_anew(std::move(next));
+    return begin_anew(std::move(next), removed);
   }
   world->set_motion(body, motion);
   scene.bodies[static_cast<std::size_t>(body)].motion = motion;
   if (options.record) record.change(body, motion, world->time());
 }
 
-void Simulation::Impl::begin_anew(Scene next) {
+void Simulation::Impl::change(const std::function<bool()>& in_place,
+                              const std::function<void(Scene& scene, std::vector<bool>& removed)>& edit) {
+  const bool was_in_contact = in_contact();
+  if (!in_place()) {
+    Scene next = scene;
+    std::vector<bool> gone = removed;
+    edit(next, gone);
+    begin_anew(std::move(next), std::move(gone));
+  } else {
+    edit(scene, removed);
+    scene.start = world->time();
+    begin_record();
+  }
+  if (!was_in_contact) note_contact();
+}
+
+void Simulation::Impl::begin_record() {
+  if (!options.record) return;
+  record.end(world->time());
+  record.begin(scene, removed);
+}
+
+void Simulation::Impl::begin_anew(Scene next, std::vector<bool> gone) {
   const double now = world->time();
   next.start = now;
   next.at_rest = world->at_rest();
-  std::vector<bool> gone = removed;
-  gone.resize(next.bodies.size(), false);
   std::unique_ptr<WorldSimulation> fresh = make_world(next);
   next.at_rest = scene.at_rest;
   const Answer& answer = fresh->answer();
@@ -59,9 +85,7 @@ void Simulation::Impl::begin_anew(Scene next) {
   begun_anew = now;
   scene = std::move(next);
   removed = std::move(gone);
-  if (!options.record) return;
-  record.end(now);
-  record.begin(scene, removed);
+  begin_record();
 }
 
 BodyId Simulation::add_body(const Body& body) {
@@ -69,40 +93,47 @@ BodyId Simulation::add_body(const Body& body) {
   impl.expect_changeable();
   impl.changing([&] {
     impl.world->settle();
-    Scene next = impl.scene;
-    next.bodies.push_back(body);
-    impl.begin_anew(std::move(next));
+    impl.change([&] { return impl.world->add_body(body); },
+                [&](Scene& scene, std::vector<bool>& removed) {
+                  scene.bodies.push_back(body);
+                  removed.push_back(false);
+                });
   });
   return static_cast<BodyId>(impl.scene.bodies.size()) - 1;
 }
 
-/// The body stays in the scene, ignored by all others, under a name that no other one has.
+/// The body stays in the scene, at rest and ignored by all others, under a name that no other one has.
 void Simulation::remove_body(BodyId body) {
   Impl& impl = usable();
   impl.expect_changeable();
   impl.check_body(body);
   impl.changing([&] {
     impl.world->settle();
-    Scene next = impl.scene;
-    std::string& name = next.bodies[static_cast<std::size_t>(body)].name;
-    for (std::size_t k = 0; k < next.bodies.size(); ++k) {
-      if (next.bodies[k].relative_to == name && !impl.removed[k])
-        throw InputError(next.bodies[k].name, "it is attached to \"" + name + "\", which is to be removed",
+    const std::string before = impl.scene.bodies[static_cast<std::size_t>(body)].name;
+    const std::string name = before + " (body " + std::to_string(body) + ", removed)";
+    for (const int k : impl.world->instance().followers(body)) {
+      const auto follower = static_cast<std::size_t>(k);
+      if (k != body && follower < impl.scene.bodies.size() && impl.scene.bodies[follower].relative_to == before)
+        throw InputError(impl.scene.bodies[follower].name,
+                         "it is attached to \"" + before + "\", which is to be removed",
                          "attach it to another body first: set_parent()");
     }
-    const auto names_it = [&](const std::array<std::string, 2>& pair) { return pair[0] == name || pair[1] == name; };
-    std::erase_if(next.ignore, names_it);
-    std::erase_if(next.clearances, [&](const PairClearance& entry) { return names_it(entry.pair); });
-    name = name + " (body " + std::to_string(body) + ", removed)";
-    next.ignore.push_back({name, "*"});
-    std::vector<bool> before = impl.removed;
-    impl.removed[static_cast<std::size_t>(body)] = true;
-    try {
-      impl.begin_anew(std::move(next));
-    } catch (...) {
-      impl.removed = std::move(before);
-      throw;
-    }
+    const bool is_named =
+        impl.world->instance().ignored().names(body) || impl.world->instance().ignored().has_all(body);
+    impl.change([&] { return impl.world->remove_body(body, name); },
+                [&](Scene& scene, std::vector<bool>& removed) {
+                  const auto names_it = [&](const std::array<std::string, 2>& pair) {
+                    return pair[0] == before || pair[1] == before;
+                  };
+                  if (is_named) std::erase_if(scene.ignore, names_it);
+                  std::erase_if(scene.clearances, [&](const PairClearance& entry) { return names_it(entry.pair); });
+                  Body& gone = scene.bodies[static_cast<std::size_t>(body)];
+                  gone.name = name;
+                  gone.relative_to.clear();
+                  gone.motion = {};
+                  scene.ignore.push_back({name, "*"});
+                  removed[static_cast<std::size_t>(body)] = true;
+                });
   });
 }
 
@@ -112,12 +143,15 @@ void Simulation::ignore(BodyId a, BodyId b) {
   impl.check_body(a);
   impl.check_body(b);
   if (a == b) throw InputError("", "a body is no pair", "name two bodies");
+  impl.check_named(a);
+  impl.check_named(b);
   impl.changing([&] {
     impl.world->settle();
-    Scene next = impl.scene;
-    next.ignore.push_back(
-        {next.bodies[static_cast<std::size_t>(a)].name, next.bodies[static_cast<std::size_t>(b)].name});
-    impl.begin_anew(std::move(next));
+    impl.change([&] { return impl.world->ignore(a, b); },
+                [&](Scene& scene, std::vector<bool>&) {
+                  const auto name = [&](BodyId k) { return scene.bodies[static_cast<std::size_t>(k)].name; };
+                  scene.ignore.push_back({name(a), name(b)});
+                });
   });
 }
 
@@ -135,6 +169,15 @@ double gap_between(const BodyPose& a, const BodyPose& b, const AxisBox& box) {
   return gap;
 }
 
+/// Where the last body is of those that are attached to each other in turn, the outermost first.
+BodyPose pose_of_last(Scene chain, double t) {
+  for (std::size_t k = 0; k < chain.bodies.size(); ++k) {
+    chain.bodies[k].name = std::to_string(k);
+    chain.bodies[k].relative_to = k > 0 ? chain.bodies[k - 1].name : std::string();
+  }
+  return poses_at(chain, t).back();
+}
+
 }  // namespace
 
 void Simulation::set_parent(BodyId body, std::optional<BodyId> parent, const Motion& motion) {
@@ -142,23 +185,38 @@ void Simulation::set_parent(BodyId body, std::optional<BodyId> parent, const Mot
   impl.expect_changeable();
   impl.check_body(body);
   if (parent) impl.check_body(*parent);
+  if (parent) impl.check_named(*parent);
   impl.changing([&] {
     impl.world->settle();
-    const auto k = static_cast<std::size_t>(body);
-    Scene next = impl.scene;
-    next.bodies[k].motion = motion;
-    next.bodies[k].relative_to = parent ? next.bodies[static_cast<std::size_t>(*parent)].name : std::string();
     const double now = impl.world->time();
-    const BodyPose before = poses_at(impl.scene, now)[k], after = poses_at(next, now)[k];
-    const AxisBox box = impl.world->instance().bodies()[k].rings->input_bounds();
+    const Instance& instance = impl.world->instance();
+    const std::string& name = impl.scene.bodies[static_cast<std::size_t>(body)].name;
+    const auto pose = [&](int outer, const Motion& own) {
+      Scene chain;
+      chain.start = impl.scene.start;
+      chain.end = impl.scene.end;
+      chain.bodies.push_back({{}, {}, own});
+      for (int k = outer; k >= 0; k = instance.bodies()[static_cast<std::size_t>(k)].parent)
+        chain.bodies.insert(chain.bodies.begin(), {{}, {}, impl.scene.bodies[static_cast<std::size_t>(k)].motion});
+      return pose_of_last(std::move(chain), now);
+    };
+    const int held_by = instance.bodies()[static_cast<std::size_t>(body)].parent;
+    const BodyPose before = pose(held_by, impl.scene.bodies[static_cast<std::size_t>(body)].motion);
+    const BodyPose after = pose(parent.value_or(-1), motion);
+    const AxisBox box = instance.bodies()[static_cast<std::size_t>(body)].rings->input_bounds();
     const double magnitude = std::fabs(before.origin.x) + std::fabs(before.origin.y) + diagonal(box);
     const double room = joint_tolerance * impl.world->extent() + joint_rounding * magnitude;
     const double gap = gap_between(before, after, box);
     if (!(gap <= room))
-      throw InputError(next.bodies[k].name,
-                       fmt::format("it would jump by {:.6g} in the world at the present, t = {}", gap, now),
+      throw InputError(name, fmt::format("it would jump by {:.6g} in the world at the present, t = {}", gap, now),
                        "the motion is seen from the new parent, and must have the body where it is");
-    impl.begin_anew(std::move(next));
+    impl.change([&] { return impl.world->set_parent(body, parent, motion); },
+                [&](Scene& scene, std::vector<bool>&) {
+                  Body& attached = scene.bodies[static_cast<std::size_t>(body)];
+                  attached.motion = motion;
+                  attached.relative_to = parent ? scene.bodies[static_cast<std::size_t>(*parent)].name : std::string();
+                });
+    impl.changed_since_contact = true;
   });
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <map>
 #include <memory>
@@ -112,9 +113,17 @@ struct Simulation::Impl final : KineticObserver {
 
   /// The world of that scene, after the events that there have been.
   std::unique_ptr<WorldSimulation> make_world(const Scene& from_now);
+  /// Changes which bodies there are, what they are attached to, or which pairs are tested, from the present on: the
+  /// world if `in_place()` does so, and does not return false, or else in a new world. `edit(scene, removed)` does the
+  /// same to the scene. Throws InputError, and changes nothing, if bodies would overlap.
+  void change(const std::function<bool()>& in_place,
+              const std::function<void(Scene& scene, std::vector<bool>& removed)>& edit);
   /// Goes on with another scene from the present on. Throws InputError if bodies overlap in it.
-  void begin_anew(Scene next);
+  void begin_anew(Scene next, std::vector<bool> gone);
+  /// The scene as it is now, from the present on, if there is a record.
+  void begin_record();
   void check_body(BodyId body) const;
+  void check_named(BodyId body) const;
   void set_motion(BodyId body, const Motion& motion);
   /// Counts the contacts at which it stands, if it has just come to them.
   void note_contact();

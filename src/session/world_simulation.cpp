@@ -23,11 +23,6 @@ const Scene& validated(const Scene& scene) {
   return scene;
 }
 
-/// In the input's units.
-AxisBox bounds_of(const Instance& instance, BodyId body) {
-  return instance.bodies()[static_cast<std::size_t>(body)].rings->input_bounds();
-}
-
 }  // namespace
 
 WorldSimulation::WorldSimulation(const Scene& scene, Touch touch, std::uint64_t max_events, KineticObserver* observer)
@@ -42,7 +37,7 @@ WorldSimulation::WorldSimulation(const Scene& scene, Touch touch, std::uint64_t 
       processed_(scene.start) {
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     names_.push_back(scene.bodies[i].name);
-    extent_ = std::max(extent_, diagonal(bounds_of(instance_, static_cast<BodyId>(i))));
+    extent_ = std::max(extent_, diagonal(input_bounds(static_cast<BodyId>(i))));
   }
   // Refuses features that are too fine now, rather than when the body comes near another one.
   for (const InstanceBody& body : instance_.bodies()) body.rings->displaced(offset_for(touch));
@@ -296,7 +291,7 @@ void WorldSimulation::check_body(BodyId body) const {
 
 void WorldSimulation::check_motion(BodyId body, const Motion& motion) const {
   const std::string& name = names_[static_cast<std::size_t>(body)];
-  const AxisBox bounds = bounds_of(instance_, body);
+  const AxisBox bounds = input_bounds(body);
   validate_motion(motion, name, bounds, now_, end(), extent_);
   const PieceList& own = instance_.bodies()[static_cast<std::size_t>(body)].own;
   const MotionPiece before = own.empty() ? MotionPiece{} : scaled(own.at(now_), -instance_.exponent());
@@ -317,7 +312,7 @@ void WorldSimulation::set_motion(BodyId body, const Motion& motion) {
   settle();
   if (over() && answer_.outcome != Outcome::contact) return;
   check_motion(body, motion);
-  const double from = now_ > start_ ? std::nextafter(now_, start_) : now_;
+  const double from = right_before();
   const std::vector<int> changed = instance_.followers(body);
   const double jump = jump_of(body);
   instance_.replan(body, motion, now_, from);

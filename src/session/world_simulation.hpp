@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <memory>
 #include <optional>
@@ -12,9 +13,11 @@
 #include <vector>
 
 #include "scene/instance.hpp"
+#include "scene/validate_scene.hpp"
 #include "session/near_bodies.hpp"
 #include "solver/kinetic_solver.hpp"
 #include "taut/check.hpp"
+#include "taut/error.hpp"
 
 namespace taut::internal {
 
@@ -43,6 +46,15 @@ class WorldSimulation {
   void settle();
   /// From the present on; after a contact, too. Throws InputError, and changes nothing.
   void set_motion(BodyId body, const Motion& motion);
+  // The next four cost what they are about. They throw InputError, and change nothing, also where bodies would overlap,
+  // and return false, and change nothing, where a world must begin anew: at a single pair, and see Instance::can_add().
+  // After settle().
+  bool add_body(const Body& body);
+  /// Bodies that are attached to it must not be there. Under its new name it is ignored by all others.
+  bool remove_body(BodyId body, const std::string& name);
+  bool ignore(BodyId a, BodyId b);
+  /// The body must not jump.
+  bool set_parent(BodyId body, std::optional<BodyId> parent, const Motion& motion);
   /// Throws InputError unless the motion is valid from the present on, and has the body where it is.
   void check_motion(BodyId body, const Motion& motion) const;
   /// Goes on after a contact. Pairs whose motions are still the same are in contact again.
@@ -113,6 +125,16 @@ class WorldSimulation {
   void count_certificates(Near& near);
   bool conclude(double limit);
   void check_body(BodyId body) const;
+  double right_before() const { return now_ > start_ ? std::nextafter(now_, start_) : now_; }
+  int depth_of(int body) const;
+  std::optional<Key> begin_pairs(const std::vector<int>& bodies, const NearBodies::Changes& changes);
+  std::optional<Key> attach(int body, int parent, const PieceList& own);
+  void forget_last();
+  InputError overlap_error(const Key& key, int culprit) const;
+  /// In the input's units.
+  AxisBox input_bounds(BodyId body) const {
+    return instance_.bodies()[static_cast<std::size_t>(body)].rings->input_bounds();
+  }
   void note_tested() { has_tested_ = has_tested_ || !coverage().is_empty(); }
 
   Touch touch_;
@@ -120,6 +142,7 @@ class WorldSimulation {
   double start_;
   Instance instance_;
   std::vector<std::string> names_;
+  std::optional<BodyNames> numbers_;  ///< known from the first body on that is added
   double extent_ = 0;
   EventBudget budget_;
   NearBodies near_;

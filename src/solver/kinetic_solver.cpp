@@ -26,7 +26,7 @@ KineticSolver::KineticSolver(const Instance& world, int a, int b, Offset offset,
       observer_(observer),
       bodies_(world.pair(a, b)),
       geometry_(displaced_pair(bodies_, offset)),
-      segments_(world.segments(bodies_)) {
+      segments_(segments_of(bodies_, start(), world.end())) {
   result_.a = std::min(a, b);
   result_.b = std::max(a, b);
   result_.free_until = world.end();
@@ -37,21 +37,21 @@ void KineticSolver::ask_start() {
   try {
     resolve_start();
   } catch (const Undecidable& limit) {
-    give_up(not_decided(limit), world_.start());
+    give_up(not_decided(limit), start());
   }
   if (observer_) observer_->started(*this);
 }
 
 void KineticSolver::resolve_start() {
-  const double start = world_.start();
+  const double from = start();
   const MotionSegment& segment = segments_.front();
-  begin(start);
+  begin(from);
   if (!engines_->overlap()) return;
-  const auto how = [&] { return overlap_of_outlines(geometry_, segment, start, engines_->inside()); };
+  const auto how = [&] { return overlap_of_outlines(geometry_, segment, from, engines_->inside()); };
   const auto overlap_of = [&](const PairGeometry& shapes) {
     return RingEngines(bodies_, shapes, Offset::inward, segments_).overlap();
   };
-  take_start(contact_at_start(features(), segment, start, how, overlap_of), start, result_);
+  take_start(contact_at_start(features(), segment, from, how, overlap_of), from, result_);
   engines_.reset();
 }
 
@@ -156,7 +156,7 @@ bool KineticSolver::replan(double now) {
   result_.contact.reset();
   result_.found.reset();
   bodies_ = world_.pair(a_, b_);
-  segments_ = world_.segments(bodies_);
+  segments_ = segments_of(bodies_, start(), world_.end());
   // The world starts just before the present, with a joint at the present unless the relative motion stays as it was,
   // or ends now.
   MotionSegments rest = segments_;
@@ -208,13 +208,13 @@ void KineticSolver::note_contact() {
   const RingEngines::Found& found = *engines_->contact();
   // The segments from a later time on are the last of all segments.
   const std::size_t segment = segments_.size() - engines_->segments().size() + found.segment;
-  result_ = contact_of(result_, features(), segments_[segment], segment, found.contact, world_.start());
+  result_ = contact_of(result_, features(), segments_[segment], segment, found.contact, start());
 }
 
 void KineticSolver::give_up(const std::string& reason, double until) {
   result_.outcome = Outcome::undecided;
   result_.reason = reason;
-  result_.free_until = std::clamp(until, world_.start(), world_.end());
+  result_.free_until = std::clamp(until, start(), world_.end());
   leave();
 }
 

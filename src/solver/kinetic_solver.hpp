@@ -77,6 +77,8 @@ class KineticSolver final : public PairSolver, private EngineObserver {
  private:
   void on_event(const EngineEvent& event) override { observer_->on_event(*this, event); }
   EngineObserver* engine_observer() { return observer_ ? this : nullptr; }
+  /// From when on both bodies are there.
+  double start() const { return world_.start_of(a_, b_); }
   void resolve_start();
   void begin(double from);
   bool needs_tilings(double from) const { return !engines_ || (at_ != from && window_ != from); }

@@ -96,18 +96,24 @@ class SimulatedRun {
     return "";
   }
 
+  /// Some are attached to others, some have layers, and some are larger than all others.
   std::string add_body() {
-    if (!rng_.chance(0.3)) return "";
-    const double x = rng_.real(-4, 4), y = rng_.real(-4, 4), size = rng_.real(0.05, 0.4);
+    if (!rng_.chance(0.5)) return "";
+    const bool large = rng_.chance(0.05);
+    const double x = large ? 300 : rng_.real(-4, 4), y = rng_.real(-4, 4), size = large ? 20 : rng_.real(0.05, 0.4);
     Body body{"new " + std::to_string(names_++), {{x, y}, {x + size, y}, {x, y + size}}, {}};
     body.motion = Motion{{{{0, rng_.real(-1, 1)}, {0, rng_.real(-1, 1)}, NoRotation{}}}};
+    body.motion.pieces[0].origin = simulation_.time();
+    if (rng_.chance(0.2)) body.motion = {};
+    if (rng_.chance(0.2)) body.relative_to = simulation_.scene().bodies[static_cast<std::size_t>(any_body())].name;
+    if (rng_.chance(0.1)) body.z = {0, rng_.real(0.5, 2)};
     simulation_.add_body(body);
     there_.push_back(true);
     return "";
   }
 
   std::string remove_body() {
-    if (!rng_.chance(0.2) || std::count(there_.begin(), there_.end(), true) < 4) return "";
+    if (!rng_.chance(0.4) || std::count(there_.begin(), there_.end(), true) < 4) return "";
     const BodyId body = any_body();
     simulation_.remove_body(body);
     there_[static_cast<std::size_t>(body)] = false;
@@ -165,6 +171,11 @@ class SimulatedRun {
     const double from = simulation_.time();
     if (!(until > from)) return "";
     const Answer answer = asked_afresh(simulation_, touch_);
+    if (answer.outcome == Outcome::free || answer.outcome == Outcome::contact) {
+      const Coverage here = simulation_.coverage();
+      if (here.pairs != answer.coverage.pairs || here.ignored != answer.coverage.ignored)
+        return "it does not ignore what the rest of its scene ignores";
+    }
     simulation_.advance_to(until);
     const SimulationState state = simulation_.state();
     if (state == SimulationState::undecided) return tiling_decides() ? simulation_.reason() : "";
