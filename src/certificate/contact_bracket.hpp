@@ -1,6 +1,7 @@
 // The time of a contact, stated so that it holds for the bodies as given.
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "certificate/precise_time.hpp"
@@ -18,7 +19,7 @@ struct FoundContact {
   VertexId vertex, edge;
   double lo = 0, hi = 0;
   /// A tighter enclosure of this instant alone, if doubles do not distinguish it from others in [lo, hi].
-  std::optional<PreciseTime> at = {};
+  std::shared_ptr<const PreciseTime> at = nullptr;
 };
 
 /// An enclosure of the segment's parameter, for displaced bodies or for the given ones. Passage: does the vertex come

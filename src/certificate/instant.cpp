@@ -19,7 +19,8 @@ class ClosingInstant {
         root_(segment_, *instant.geometry,
               {instant.contact.edge, instant.geometry->next(instant.contact.edge), instant.contact.vertex,
                instant.geometry->in_p(instant.contact.edge)}),
-        parameter_(instant.contact.at.value_or(PreciseTime::between(instant.contact.lo, instant.contact.hi))) {}
+        parameter_(instant.contact.at ? *instant.contact.at
+                                      : PreciseTime::between(instant.contact.lo, instant.contact.hi)) {}
 
   /// An enclosure that a stage cannot improve stays as it is. A vertex is outside before it meets an edge.
   void refine(Stage stage, double enough) { root_.refine(-1, parameter_, stage, enough); }

@@ -1,6 +1,7 @@
 #include "kinetic/engine.hpp"
 
 #include <algorithm>
+#include <memory>
 
 #include "numeric/budget.hpp"
 #include "numeric/errors.hpp"
@@ -275,7 +276,8 @@ void Engine::process(CertificateId id, double limit) {
   // failure is known to occur by then, although its enclosure may extend further.
   parameter_ = std::max(parameter_, collides ? c.lo : std::min(now.hi, limit));
   if (collides) {
-    contact_ = FoundContact{report.hitting, map_.origin(report.hit), c.lo, c.hi, solver_.known_precisely(c)};
+    contact_ = FoundContact{report.hitting, map_.origin(report.hit), c.lo, c.hi};
+    if (const auto known = solver_.known_precisely(c)) contact_->at = std::make_shared<const PreciseTime>(*known);
     state_ = EngineState::contact;
     if (observer_) observer_->on_event(event);
     return;

@@ -64,10 +64,9 @@ void Engine::build(const KnownTilings& known) {
 void Engine::begin(const Placement& placement) {
   // Edges that the start has removed again may have numbers beyond those that a tiling needs.
   certificate_of_.reset(std::max<std::size_t>(4 * std::size_t{geometry_.size()} + 16, map_.halfedge_count()));
-  // An edge between the two bodies is in four corners, most of which have two such edges. This leaves room for the
-  // active set to double before anything more is allocated; the events of few motions need more. A world has thousands
-  // of engines, most of which have eight certificates.
-  reserve_certificates(4 * mixed_edges() + 16);
+  // An edge between the two bodies is in four corners, most of which have two such edges. A world has thousands of
+  // engines, most of which have eight certificates, and there is room for a few more before anything is allocated.
+  reserve_certificates(2 * mixed_edges() + 8);
   add_certificates(placement);
   at_start_ = placement.stages();
   queue_.reserve(certificates_.capacity());

@@ -140,6 +140,8 @@ void MotionSegments::give_back() const {
     if (place.segment && place.segment.use_count() > 1) held_.emplace_back(place.number, place.segment);
   }
   window_ = std::vector<Kept>();
+  // What a weak pointer points at is destroyed with the last owner, but its memory stays.
+  std::erase_if(held_, [](const auto& known) { return known.second.expired(); });
 }
 
 const std::shared_ptr<const MotionSegment>& MotionSegments::kept(std::size_t k) const {

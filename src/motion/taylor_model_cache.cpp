@@ -124,12 +124,13 @@ int TaylorModelCache::levels_ahead(const ModelCell& cell) const {
 
 const ModelCell& TaylorModelCache::whole_segment() {
   if (!straight_cell_made_) {
-    place(straight_cell_, 0, 0);
-    make(straight_cell_);
-    straight_cell_.leaf = true;
+    if (!straight_cell_) straight_cell_ = std::make_unique<ModelCell>();
+    place(*straight_cell_, 0, 0);
+    make(*straight_cell_);
+    straight_cell_->leaf = true;
     straight_cell_made_ = true;
   }
-  return straight_cell_;
+  return *straight_cell_;
 }
 
 const ModelCell& TaylorModelCache::at_level(int level, std::uint64_t index) {

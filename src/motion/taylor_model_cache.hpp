@@ -127,7 +127,7 @@ class TaylorModelCache {
   bool straight_ = false;
   double straight_middle_ = 0;
   FrameSample straight_side_{};
-  ModelCell straight_cell_;  ///< the whole of a straight segment
+  std::unique_ptr<ModelCell> straight_cell_;  ///< the whole of a straight segment; made with the first one
   bool straight_cell_made_ = false;
   int level_ = 0;  ///< of the leaf used last
   std::uint64_t index_ = 0;

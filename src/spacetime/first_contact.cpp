@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <optional>
 
 #include "numeric/errors.hpp"
@@ -130,7 +131,8 @@ namespace {
 void note(const Crossing& found, std::size_t segment, double end, SpacetimeResult& result) {
   result.outcome = SpacetimeResult::contact;
   result.found = {found.pair.vertex, found.pair.edge, found.lo, std::min(found.hi, end)};
-  if (found.precise && found.precise->stage >= Stage::precise) result.found.at = *found.precise;
+  if (found.precise && found.precise->stage >= Stage::precise)
+    result.found.at = std::make_shared<const PreciseTime>(*found.precise);
   result.lo = found.lo;
   result.segment = segment;
 }

@@ -165,7 +165,7 @@ class PlanarMap {
   void reserve(std::size_t halfedges) {
     halfedges_.grow(halfedges);
     pinch_.resize(halfedges_.capacity() / 2);
-    free_.reserve(64);
+    free_.reserve(std::min<std::size_t>(64, halfedges / 8));
   }
   Halfedge& own(HalfedgeId h) {
     return halfedges_.touch(h.value, [this](std::size_t first, Halfedge* records) {
