@@ -75,8 +75,8 @@ NearBodies::NearBodies(const Instance& instance)
       tree_(std::make_unique<Tree>()) {
   if (single_) {
     if (instance.excluded(0, 1)) return;
-    near_[0].insert(1);
-    near_[1].insert(0);
+    near_[0] = {1};
+    near_[1] = {0};
     return;
   }
   boxes_.resize(near_.size());
@@ -251,21 +251,25 @@ void NearBodies::box_anew(const std::vector<int>& bodies, double from, Changes& 
 
 void NearBodies::find_near(int body, Changes& changes) {
   const std::vector<int> met = met_by(body, boxes_[static_cast<std::size_t>(body)].box);
-  std::set<int>& near = near_[static_cast<std::size_t>(body)];
+  std::vector<int>& near = near_[static_cast<std::size_t>(body)];
   std::vector<int> come, gone;
   std::set_difference(met.begin(), met.end(), near.begin(), near.end(), std::back_inserter(come));
   std::set_difference(near.begin(), near.end(), met.begin(), met.end(), std::back_inserter(gone));
   const auto pair = [body](int other) { return Pair(std::min(body, other), std::max(body, other)); };
   for (const int other : come) {
-    near.insert(other);
-    near_[static_cast<std::size_t>(other)].insert(body);
+    bring(other, body);
     changes.come.push_back(pair(other));
   }
   for (const int other : gone) {
-    near.erase(other);
-    near_[static_cast<std::size_t>(other)].erase(body);
+    std::erase(near_[static_cast<std::size_t>(other)], body);
     changes.gone.push_back(pair(other));
   }
+  near = met;
+}
+
+void NearBodies::bring(int body, int other) {
+  std::vector<int>& near = near_[static_cast<std::size_t>(body)];
+  near.insert(std::lower_bound(near.begin(), near.end(), other), other);
 }
 
 NearBodies::Changes NearBodies::renew() {
@@ -307,7 +311,7 @@ NearBodies::Changes NearBodies::remove(int body) {
   lift(body);
   boxes_[static_cast<std::size_t>(body)].from = -never;
   for (const int other : near_[static_cast<std::size_t>(body)]) {
-    near_[static_cast<std::size_t>(other)].erase(body);
+    std::erase(near_[static_cast<std::size_t>(other)], body);
     changes.gone.emplace_back(std::min(body, other), std::max(body, other));
   }
   near_[static_cast<std::size_t>(body)].clear();
@@ -322,8 +326,8 @@ void NearBodies::remove_last() {
 }
 
 void NearBodies::part(int a, int b) {
-  near_[static_cast<std::size_t>(a)].erase(b);
-  near_[static_cast<std::size_t>(b)].erase(a);
+  std::erase(near_[static_cast<std::size_t>(a)], b);
+  std::erase(near_[static_cast<std::size_t>(b)], a);
 }
 
 std::vector<int> NearBodies::alike_at(int body, double t) const {

@@ -60,9 +60,12 @@ class NearBodies {
   void part(int a, int b);
   /// Bodies that may be at the same place as the body at that time, move like it, and are not excluded.
   std::vector<int> alike_at(int body, double t) const;
-  bool has(int a, int b) const { return near_[static_cast<std::size_t>(a)].count(b) > 0; }
+  bool has(int a, int b) const {
+    const std::vector<int>& near = of(a);
+    return std::binary_search(near.begin(), near.end(), b);
+  }
   /// The bodies near one body, in order.
-  const std::set<int>& of(int body) const { return near_[static_cast<std::size_t>(body)]; }
+  const std::vector<int>& of(int body) const { return near_[static_cast<std::size_t>(body)]; }
 
  private:
   class Tree;
@@ -96,12 +99,13 @@ class NearBodies {
   void renew(const std::vector<int>& bodies, double from, Changes& changes);
   void box_anew(const std::vector<int>& bodies, double from, Changes& changes);
   void find_near(int body, Changes& changes);
+  void bring(int body, int other);
 
   const Instance& instance_;
   bool single_;
   std::vector<Box> boxes_;
   std::vector<Disc> discs_;
-  std::vector<std::set<int>> near_;
+  std::vector<std::vector<int>> near_;
   std::set<std::pair<double, int>> ends_;  ///< of boxes that end before the world does
   double latest_ = 0;                      ///< no box begins later
   std::unique_ptr<Tree> tree_;

@@ -81,17 +81,16 @@ namespace taut::internal {
 /// A pair that is near from that time on, at which the two are apart; without one, from the start of the motions on,
 /// and whether the two overlap there is asked.
 void WorldSimulation::add_pair(const Key& key, std::optional<double> from, double jump) {
-  const auto pair = pairs_.emplace(key, Near{}).first;
-  if (!leave_to_discs(pair, from.value_or(now_), jump)) begin_tilings(pair, from);
-  enqueue(pair);
+  Near& near = pairs_[key];
+  near.key = key;
+  if (!leave_to_discs(near, from.value_or(now_), jump)) begin_tilings(near, from);
+  enqueue(near);
 }
 
 /// If discs keep the two bodies apart for a while, that is enough. Nothing must be due before.
-bool WorldSimulation::leave_to_discs(Pairs::iterator pair, double from, double jump) {
-  const auto [a, b] = pair->first;
-  const double apart = near_.apart_until(a, b, from, jump);
+bool WorldSimulation::leave_to_discs(Near& near, double from, double jump) {
+  const double apart = near_.apart_until(near.key.first, near.key.second, from, jump);
   if (!(apart > from)) return false;
-  Near& near = pair->second;
   near.due = apart;
   near.next.reset();
   near.solver.reset();
@@ -99,9 +98,16 @@ bool WorldSimulation::leave_to_discs(Pairs::iterator pair, double from, double j
   return true;
 }
 
+/// Before the first one of their boxes ends? If discs show that they do not, tilings are not worth their memory, nor
+/// the work of keeping them. Requires that nothing is due before.
+bool WorldSimulation::may_meet_soon(const Near& near) const {
+  const auto [a, b] = near.key;
+  return instance_.is_single_pair() || near_.apart_until(a, b, near.due) < near_.until(a, b);
+}
+
 /// At that time, or at the start of the motions.
-void WorldSimulation::begin_tilings(Pairs::iterator pair, std::optional<double> from) {
-  const auto [a, b] = pair->first;
+void WorldSimulation::begin_tilings(Near& near, std::optional<double> from) {
+  const auto [a, b] = near.key;
   // Made first: a limit may end that.
   auto solver = std::make_unique<KineticSolver>(instance_, a, b, offset_for(touch_), budget_, observer_);
   if (from) {
@@ -109,25 +115,19 @@ void WorldSimulation::begin_tilings(Pairs::iterator pair, std::optional<double> 
   } else {
     solver->ask_start();
   }
-  pair->second.solver = std::move(solver);
-  pair->second.due = from.value_or(instance_.start_of(a, b));
-  pair->second.next.reset();
+  near.solver = std::move(solver);
+  near.due = from.value_or(instance_.start_of(a, b));
+  near.next.reset();
 }
 
 /// Into the queue, or to the pairs that have come to an end.
-void WorldSimulation::enqueue(Pairs::iterator pair) {
-  Near& near = pair->second;
+void WorldSimulation::enqueue(Near& near) {
   count_certificates(near);
   if (near.solver && !instance_.is_single_pair()) near.solver->put_aside();
   if (!near.solver || near.solver->open()) {
-    if (spare_.empty()) {
-      queue_.insert({pair->second.due, pair->first});
-    } else {
-      spare_.value() = {pair->second.due, pair->first};
-      queue_.insert(std::move(spare_));
-    }
+    queue_.insert(near);
   } else {
-    ended_.insert(pair->first);
+    ended_.insert(near.key);
   }
 }
 
@@ -135,7 +135,7 @@ void WorldSimulation::end_pair(const Key& key) {
   const auto pair = pairs_.find(key);
   if (pair == pairs_.end()) return;
   certificates_ -= pair->second.certificates;
-  queue_.erase({pair->second.due, key});
+  queue_.erase(pair->second);
   ended_.erase(key);
   pairs_.erase(pair);
 }
@@ -164,24 +164,23 @@ void WorldSimulation::replan_pair(const Key& key, double jump) {
   const auto known = pairs_.find(key);
   if (known == pairs_.end()) return add_pair(key, std::nullopt, never);
   Near& near = known->second;
-  queue_.erase({near.due, key});
+  queue_.erase(near);
   ended_.erase(key);
-  if (leave_to_discs(known, now_, jump)) return enqueue(known);
+  if (leave_to_discs(near, now_, jump)) return enqueue(near);
   near.has_changed = true;
   near.next.reset();
   near.due = now_;
   if (instance_.is_single_pair() || now_ == start_) {
-    follow_change(known);
-    return enqueue(known);
+    follow_change(near);
+    return enqueue(near);
   }
-  queue_.insert({near.due, key});
+  queue_.insert(near);
 }
 
-void WorldSimulation::follow_change(Pairs::iterator pair) {
-  Near& near = pair->second;
+void WorldSimulation::follow_change(Near& near) {
   near.has_changed = false;
   if (near.solver && now_ > start_ && near.solver->replan(now_)) return;
-  begin_tilings(pair, std::nullopt);
+  begin_tilings(near, std::nullopt);
 }
 
 }  // namespace taut::internal

@@ -69,13 +69,10 @@ const RingEngines* WorldSimulation::engines(int a, int b) const {
 }
 
 /// The time of what is first: a box that ends, or a pair that may have an event.
-double WorldSimulation::first_due() const { return first_is_box() ? near_.until() : queue_.begin()->first; }
+double WorldSimulation::first_due() const { return first_is_box() ? near_.until() : queue_.first_due(); }
 
 /// The time of what comes after the first pair.
-double WorldSimulation::next_due() const {
-  const auto second = std::next(queue_.begin());
-  return std::min(near_.until(), second == queue_.end() ? never : second->first);
-}
+double WorldSimulation::next_due() const { return std::min(near_.until(), queue_.second_due()); }
 
 /// Nothing is due before that. Tilings of pairs that are apart until a box ends again are not worth keeping.
 void WorldSimulation::renew_boxes() {
@@ -87,9 +84,9 @@ void WorldSimulation::renew_boxes() {
       const auto known = pairs_.find(key(body, other));
       if (known == pairs_.end() || ended_.count(known->first) > 0) continue;
       if (known->second.has_changed || near_.apart_until(body, other, from) < near_.until(body, other)) continue;
-      queue_.erase({known->second.due, known->first});
-      leave_to_discs(known, from, 0);
-      enqueue(known);
+      queue_.erase(known->second);
+      leave_to_discs(known->second, from, 0);
+      enqueue(known->second);
     }
   }
   for (const Key& pair : changes.come) add_pair(pair, from);
@@ -114,20 +111,20 @@ double WorldSimulation::process_due(double limit) {
     return limit;
   }
   const double soon = std::min(limit, next_due());
-  const auto pair = pairs_.find(queue_.begin()->second);
-  spare_ = queue_.extract(queue_.begin());
-  if (pair->second.has_changed) {
-    follow_change(pair);
-  } else if (!pair->second.solver) {
-    const double due = pair->second.due;
-    if (!leave_to_discs(pair, due, 0)) begin_tilings(pair, due);
-  } else if (pair->second.next) {
-    take_step(pair->second, limit);
-  } else {
-    look(pair->second, soon, limit);
+  Near& near = queue_.first();
+  queue_.erase(near);
+  if (near.has_changed) {
+    follow_change(near);
+  } else if (!near.solver) {
+    const double due = near.due;
+    if (!leave_to_discs(near, due, 0)) begin_tilings(near, due);
+  } else if (near.next) {
+    take_step(near, limit);
+  } else if (may_meet_soon(near) || !leave_to_discs(near, near.due, 0)) {
+    look(near, soon, limit);
   }
-  enqueue(pair);
-  return std::min(limit, result_end(pair->second));
+  enqueue(near);
+  return std::min(limit, result_end(near));
 }
 
 /// Infinite without a result.
@@ -189,7 +186,7 @@ std::optional<TimeInterval> WorldSimulation::next_event(double t) {
   while (!over() && first_due() <= t) {
     const double due = first_due();
     if (!first_is_box()) {
-      const Near& first = pairs_.at(queue_.begin()->second);
+      const Near& first = queue_.first();
       // Enclosures of events that nearly coincide overlap, and that of the first one is past.
       if (first.next) return TimeInterval{std::max(first.next->lo, now_), std::max(first.next->hi, now_)};
     }

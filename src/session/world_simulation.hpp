@@ -3,17 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <memory>
 #include <optional>
 #include <set>
 #include <string>
-#include <tuple>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
 #include "scene/instance.hpp"
 #include "scene/validate_scene.hpp"
+#include "session/due_queue.hpp"
 #include "session/near_bodies.hpp"
 #include "solver/kinetic_solver.hpp"
 #include "taut/check.hpp"
@@ -92,23 +92,33 @@ class WorldSimulation {
  private:
   using Key = std::pair<int, int>;
   struct Near {
+    Key key;
     std::unique_ptr<KineticSolver> solver;  ///< null while discs keep the two bodies apart
     double due = 0;                         ///< no certificate fails before, and discs are apart until then
     std::optional<TimeInterval> next;       ///< the next event, if it is known
     std::uint64_t certificates = 0;
+    std::uint32_t place = DueQueue<Near>::nowhere;
     bool has_changed = false;  ///< a body moves in another way from now on: the tilings must follow
   };
-  using Pairs = std::map<Key, Near>;
+  struct KeyHash {
+    std::size_t operator()(const Key& key) const {
+      const auto a = static_cast<std::uint64_t>(key.first), b = static_cast<std::uint64_t>(key.second);
+      return static_cast<std::size_t>(((a << 32 | b) * 0x9e3779b97f4a7c15u) >> 32);
+    }
+  };
+  /// Never followed in the order of their keys.
+  using Pairs = std::unordered_map<Key, Near, KeyHash>;
 
   static Key key(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
   void add_pair(const Key& key, std::optional<double> from, double jump = 0);
-  void begin_tilings(Pairs::iterator pair, std::optional<double> from);
-  bool leave_to_discs(Pairs::iterator pair, double from, double jump);
+  void begin_tilings(Near& near, std::optional<double> from);
+  bool may_meet_soon(const Near& near) const;
+  bool leave_to_discs(Near& near, double from, double jump);
   void end_pair(const Key& key);
-  void enqueue(Pairs::iterator pair);
+  void enqueue(Near& near);
   KineticSolver* only_tiling() const;
   void ask_starts_of_groups();
-  bool first_is_box() const { return queue_.empty() || near_.until() <= queue_.begin()->first; }
+  bool first_is_box() const { return queue_.empty() || near_.until() <= queue_.first_due(); }
   double first_due() const;
   std::optional<double> first_end() const;
   double next_due() const;
@@ -120,7 +130,7 @@ class WorldSimulation {
   void take_step(Near& near, double limit);
   void note_time();
   void replan_pair(const Key& key, double jump);
-  void follow_change(Pairs::iterator pair);
+  void follow_change(Near& near);
   double jump_of(BodyId body) const;
   void count_certificates(Near& near);
   bool conclude(double limit);
@@ -147,12 +157,11 @@ class WorldSimulation {
   EventBudget budget_;
   NearBodies near_;
   Pairs pairs_;
-  std::set<std::pair<double, Key>> queue_;             ///< of all pairs with no result, by what is due
-  std::set<std::pair<double, Key>>::node_type spare_;  ///< of the queue: no event allocates
-  std::set<Key> ended_;  ///< pairs with a result: a contact, an overlap, or what was not decided
-  double now_;           ///< the present
-  double reached_ = 0;   ///< the end of the last event
-  double processed_;     ///< all events up to this time are processed
+  DueQueue<Near> queue_;  ///< of all pairs with no result
+  std::set<Key> ended_;   ///< pairs with a result: a contact, an overlap, or what was not decided
+  double now_;            ///< the present
+  double reached_ = 0;    ///< the end of the last event
+  double processed_;      ///< all events up to this time are processed
   std::uint64_t certificates_ = 0, certificates_max_ = 0;
   bool has_tested_ = false;
   Answer answer_;
