@@ -93,6 +93,8 @@ BodyId Simulation::add_body(const Body& body) {
   impl.expect_changeable();
   impl.changing([&] {
     impl.world->settle();
+    // A motion that is given at the same instant may jump, from where its pairs do not begin: that begins anew.
+    impl.begun_anew = impl.world->time();
     impl.change([&] { return impl.world->add_body(body); },
                 [&](Scene& scene, std::vector<bool>& removed) {
                   scene.bodies.push_back(body);
@@ -210,6 +212,8 @@ void Simulation::set_parent(BodyId body, std::optional<BodyId> parent, const Mot
     if (!(gap <= room))
       throw InputError(name, fmt::format("it would jump by {:.6g} in the world at the present, t = {}", gap, now),
                        "the motion is seen from the new parent, and must have the body where it is");
+    // As for add_body(), also where it is refused.
+    impl.begun_anew = now;
     impl.change([&] { return impl.world->set_parent(body, parent, motion); },
                 [&](Scene& scene, std::vector<bool>&) {
                   Body& attached = scene.bodies[static_cast<std::size_t>(body)];
