@@ -295,5 +295,33 @@ TEST(ChangedWorlds, ABodyThatComesOrGoesCostsNothingForThoseThatAreFar) {
   EXPECT_LE(many, few + few / 10);
 }
 
+/// A body comes flush with a wall, and in the same instant its motion jumps into that by a rounding. The pair has no
+/// past over which the jump could be bridged: a body that went on through the wall was the answer.
+TEST(ChangedWorlds, AMotionMayJumpInTheInstantInWhichABodyComes) {
+  const auto straight = [](double t, double x, double v) {
+    MotionPiece piece;
+    piece.origin = t;
+    piece.x = {x, v};
+    return Motion{{piece}};
+  };
+  const auto square = [](double x) { return Polygon{{x, 0}, {x + 1, 0}, {x + 1, 1}, {x, 1}}; };
+  for (const double jump : {-0x1p-36, -0x1p-46, -0x1p-52, 0.0, 0x1p-46}) {
+    Scene scene;
+    scene.end = 4;
+    scene.bodies = {{"wall", square(0), straight(0, 0, 0.5)}, {"far", square(20), {}}, {"farther", square(30), {}}};
+    Simulation simulation(scene, Touch::open);
+    simulation.advance_to(1);
+    const BodyId added = simulation.add_body({"b", square(1), straight(1, 0.5, 0)});
+    try {
+      simulation.set_motion(added, straight(1, 0.5 + jump, -0.3));
+    } catch (const InputError&) {
+      // It would overlap at the present: nothing has changed, and the wall moves on into it.
+      EXPECT_LT(jump, 0);
+    }
+    EXPECT_EQ(simulation.advance_to(4), SimulationState::contact) << jump;
+    EXPECT_NEAR(simulation.time(), 1, 1e-9) << jump;
+  }
+}
+
 }  // namespace
 }  // namespace taut::testing
