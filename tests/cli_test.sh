@@ -334,6 +334,8 @@ expect 2 '' 'a log is about one clearance' prove --clearance 9 kept.json -o kept
 sed 's/"anvil","\*"/"anvil","anvl"/' margins.json >wrong.json
 expect 2 '' 'there is no body "anvl"' check --clearance 9 wrong.json
 expect 2 '' 'hint: did you mean "anvil"?' check --clearance 9 wrong.json
+sed 's/"anvl"/"ANVIL"/' wrong.json >capitals.json
+expect 2 '' 'hint: did you mean "anvil"?' check --clearance 9 capitals.json
 expect 0 '<g class="rose".*<path class="free"' '' separate --svg - hit.json
 expect 0 '"outcome":"free"' '' separate --json --svg rose.svg hit.json
 grep -q 'class="rose"' rose.svg || { echo "FAILED: no rose in the picture"; failures=$((failures + 1)); }

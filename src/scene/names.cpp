@@ -32,12 +32,12 @@ std::string nearest_word(const std::string& word, const std::vector<std::string>
   if (word.size() < 3 || word.size() > 40) return "";
   // "angle" is meant for "angle_deg", whatever the distance.
   for (const std::string& candidate : known) {
-    if (candidate.compare(0, word.size() + 1, lower_case(word) + "_") == 0) return candidate;
+    if (lower_case(candidate).compare(0, word.size() + 1, lower_case(word) + "_") == 0) return candidate;
   }
   std::string best;
   std::size_t best_distance = word.size() / 3 + 2;
   for (const std::string& candidate : known) {
-    const std::size_t distance = edit_distance(lower_case(word), candidate);
+    const std::size_t distance = edit_distance(lower_case(word), lower_case(candidate));
     if (distance < best_distance) {
       best = candidate;
       best_distance = distance;
