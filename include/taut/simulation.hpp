@@ -230,9 +230,10 @@ class Simulation {
 
   /// The next four cost what they are about, in worlds of more than two bodies: the pairs of the body that are near.
   /// They cost what a new simulation does where add_body() gets a body that is larger than all others (by the power of
-  /// 2 above its largest coordinate), or any body has cross-sections on different layers. An InputError changes
-  /// nothing; they throw it also where bodies would overlap. Adds a body from time() on, which other bodies must not
-  /// overlap. Returns its number: that of the last body, and 1.
+  /// 2 above its largest coordinate), or any body has cross-sections on different layers; and so does set_motion() at
+  /// the very instant at which a body was added or attached. An InputError changes nothing; they throw it also where
+  /// bodies would overlap. Adds a body from time() on, which other bodies must not overlap. Returns its number: that of
+  /// the last body, and 1.
   BodyId add_body(const Body& body);
   /// Takes a body away from time() on. The others keep their numbers. Throws InputError if a body is attached to it.
   void remove_body(BodyId body);
@@ -280,7 +281,9 @@ class Simulation {
   const Scene& scene() const;
   /// All that was done until time(), as ordinary scenes: one for each stretch of time between two calls of add_body(),
   /// remove_body(), ignore() or set_parent(), mostly a single one. They are free of contacts: every motion gives way to
-  /// the next one right before it. Requires SimulationOptions::record; throws InputError otherwise.
+  /// the next one right before it. (Where such a call comes at time() itself, the last one has no length: it may begin
+  /// with a contact, or with an overlap by the jump that a motion may make.) Requires SimulationOptions::record; throws
+  /// InputError otherwise.
   std::vector<Scene> record() const;
   /// Number of levels of a body's tree, the edges of the body being the last.
   int levels(BodyId body) const;

@@ -325,7 +325,8 @@ class Simulation:
     def add_body(self, body: Body) -> None:
         """Adds a body from ``time`` on, which other bodies must not overlap. This and the next three calls cost what they are
         about: the pairs of the body that are near. In a scene whose bodies have cross-sections on different layers, and for
-        a body that is larger than all others, beyond the next power of 2, a call costs what a new simulation does."""
+        a body that is larger than all others, beyond the next power of 2, a call costs what a new simulation does; so does
+        set_motion() at the very instant at which a body was added or attached."""
         if not isinstance(body, Body):
             raise InputError("body", f"expected a Body, found {type(body).__name__}", "write Body(name, shape, motion)")
         alone = Scene([replace(body, relative_to=None)], self._scene.time, folder=self._scene.folder)

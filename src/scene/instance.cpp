@@ -143,8 +143,7 @@ std::vector<int> Instance::followers(int body) const {
 void Instance::replan(int body, const Motion& motion, double t, double from) {
   PieceList& own = bodies_[static_cast<std::size_t>(body)].own;
   PieceList fresh = PieceList::between(motion, t, end_, exponent_);
-  if (from < t && bodies_[static_cast<std::size_t>(body)].born < t)
-    fresh = fresh.after(own.empty() ? MotionPiece{} : own.at(from), t);
+  if (from < t) fresh = fresh.after(own.empty() ? MotionPiece{} : own.at(from), t);
   start_ = from;
   if (!moving_) note_moving();
   const std::vector<int> changed = followers(body);

@@ -30,8 +30,8 @@ void Simulation::Impl::set_motion(BodyId body, const Motion& motion) {
   check_body(body);
   if (world->over() && !in_contact()) return;
   changed_since_contact = true;
-  if (world->time() == begun_anew) {
-    // Right where a world begins there is nothing before, from which a bridge could lead.
+  if (world->time() == began) {
+    // Right where pairs begin there is nothing before, from which a bridge could lead.
     world->check_motion(body, motion);
     Scene next = scene;
     next.bodies[static_cast<std::size_t>(body)].motion = motion;
@@ -82,7 +82,7 @@ void Simulation::Impl::begin_anew(Scene next, std::vector<bool> gone) {
   certificates_max_before = std::max(certificates_max_before, world->certificates_max());
   fresh->carry_on(*world);
   world = std::move(fresh);
-  begun_anew = now;
+  began = now;
   scene = std::move(next);
   removed = std::move(gone);
   begin_record();
@@ -93,8 +93,7 @@ BodyId Simulation::add_body(const Body& body) {
   impl.expect_changeable();
   impl.changing([&] {
     impl.world->settle();
-    // A motion that is given at the same instant may jump, from where its pairs do not begin: that begins anew.
-    impl.begun_anew = impl.world->time();
+    impl.began = impl.world->time();
     impl.change([&] { return impl.world->add_body(body); },
                 [&](Scene& scene, std::vector<bool>& removed) {
                   scene.bodies.push_back(body);
@@ -212,8 +211,8 @@ void Simulation::set_parent(BodyId body, std::optional<BodyId> parent, const Mot
     if (!(gap <= room))
       throw InputError(name, fmt::format("it would jump by {:.6g} in the world at the present, t = {}", gap, now),
                        "the motion is seen from the new parent, and must have the body where it is");
-    // As for add_body(), also where it is refused.
-    impl.begun_anew = now;
+    // Even if it is refused: the body's pairs begin again then.
+    impl.began = now;
     impl.change([&] { return impl.world->set_parent(body, parent, motion); },
                 [&](Scene& scene, std::vector<bool>&) {
                   Body& attached = scene.bodies[static_cast<std::size_t>(body)];

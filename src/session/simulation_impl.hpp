@@ -180,8 +180,9 @@ struct Simulation::Impl final : KineticObserver {
   std::uint64_t events_before = 0;  ///< of worlds before this one
   std::uint64_t certificates_max_before = 0;
   std::uint64_t traced = 0;
-  double begun_anew = std::numeric_limits<double>::quiet_NaN();  ///< when begin_anew() was called last
-  bool changed_since_contact = false;                            ///< a motion, by set_motion()
+  /// When begin_anew() was called last, or a body came or was attached: some pairs have nothing before.
+  double began = std::numeric_limits<double>::quiet_NaN();
+  bool changed_since_contact = false;  ///< a motion, by set_motion()
   bool broken = false;
   std::string reason;  ///< why it is undecided, or empty
   double start;
